@@ -1,0 +1,3 @@
+//! The engine: particles, walls, contacts and the cycle. Knows no screen, file, clock or text.
+
+pub mod setup;

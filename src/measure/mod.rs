@@ -1,0 +1,3 @@
+//! What is read off a world: it reads, never changes.
+
+pub mod columns;
