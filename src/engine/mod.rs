@@ -1,3 +1,26 @@
-//! The engine: particles, walls, contacts and the cycle. Knows no screen, file, clock or text.
+//! The engine: particles, walls, contacts and the cycle.
+//!
+//! It knows no screen, file, clock or text format. [`setup`] says what a world is built from,
+//! [`world`] is the state, [`step`] the cycle, readable from top to bottom.
 
+pub mod bound;
+pub mod contact;
+pub mod edit;
+pub mod fault;
+pub mod hash;
+pub mod ledger;
+pub mod motion;
+pub mod neighbours;
+pub mod pair;
+pub mod particles;
+pub mod plan;
 pub mod setup;
+pub mod step;
+pub mod threads;
+pub mod time_step;
+pub mod wall;
+pub mod wall_contact;
+pub mod world;
+
+pub use fault::Fault;
+pub use world::World;

@@ -176,7 +176,10 @@ pub const CONTACT_COLUMNS: &[Card] = &[
     real("n", "N", "normal force, compression positive"),
     real("t", "N", "tangential force"),
     real("alpha", "m", "overlap"),
-    real("delta", "m", "tangential displacement since first touch"),
+    Card {
+        ledger: true,
+        ..real("delta", "m", "tangential displacement since first touch")
+    },
 ];
 
 /// Columns of one particle, written `particle:I:x`.

@@ -1,3 +1,6 @@
-//! What is read off a world: it reads, never changes.
+//! What is read off a world: measures read, they never change anything.
 
+pub mod assembly;
 pub mod columns;
+pub mod sample;
+pub mod wall_force;

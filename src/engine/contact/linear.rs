@@ -1,0 +1,207 @@
+//! Linear springs with a Coulomb and cohesion limit.
+//!
+//! Cundall & Strack 1979, equations (16) to (19). The normal force is k_n α; the historical form
+//! that sums k_n Δn is kept for replay, it drifts from the overlap.
+
+use serde::{Deserialize, Serialize};
+
+use super::memory::Memory;
+use super::{Basis, Load, Normal, Shear, Tangential, Touch};
+
+/// Normal spring, force from the overlap.
+#[derive(Debug, Clone, Copy)]
+pub struct LinearNormal {
+    k: f64,
+}
+
+impl Normal for LinearNormal {
+    type Memory = ();
+
+    fn prepare(basis: &Basis<'_>) -> Self {
+        Self {
+            k: basis.pair.normal_stiffness,
+        }
+    }
+
+    #[inline(always)]
+    fn force(&self, touch: &Touch, (): &mut ()) -> f64 {
+        self.k * touch.overlap
+    }
+
+    fn stiffness(&self, _: f64) -> f64 {
+        self.k
+    }
+
+    fn energy(&self, overlap: f64, (): &()) -> f64 {
+        0.5 * self.k * overlap * overlap
+    }
+}
+
+/// Normal force summed so far [N].
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct SummedNormal(f64);
+
+impl Memory for SummedNormal {
+    fn reduced(&self) -> [f64; 2] {
+        [self.0, 0.0]
+    }
+
+    fn from_reduced(forces: [f64; 2]) -> Self {
+        Self(forces[0])
+    }
+}
+
+/// Normal spring, force summed from increments, (16) and (18).
+#[derive(Debug, Clone, Copy)]
+pub struct IncrementalNormal {
+    k: f64,
+}
+
+impl Normal for IncrementalNormal {
+    type Memory = SummedNormal;
+
+    fn prepare(basis: &Basis<'_>) -> Self {
+        Self {
+            k: basis.pair.normal_stiffness,
+        }
+    }
+
+    #[inline(always)]
+    fn force(&self, touch: &Touch, memory: &mut SummedNormal) -> f64 {
+        memory.0 += self.k * (touch.approach * touch.dt);
+        memory.0
+    }
+
+    fn stiffness(&self, _: f64) -> f64 {
+        self.k
+    }
+
+    fn energy(&self, _: f64, memory: &SummedNormal) -> f64 {
+        if self.k > 0.0 {
+            0.5 * memory.0 * memory.0 / self.k
+        } else {
+            0.0
+        }
+    }
+}
+
+/// No tangential force.
+#[derive(Debug, Clone, Copy)]
+pub struct Frictionless;
+
+impl Tangential for Frictionless {
+    type Memory = ();
+    const ACTIVE: bool = false;
+
+    fn prepare(_: &Basis<'_>) -> Self {
+        Self
+    }
+
+    #[inline(always)]
+    fn force(&self, _: &Touch, _: &Load, (): &mut ()) -> Shear {
+        Shear::default()
+    }
+
+    fn held(&self, (): &()) -> f64 {
+        0.0
+    }
+
+    fn stiffness(&self) -> f64 {
+        0.0
+    }
+
+    fn energy(&self, (): &()) -> f64 {
+        0.0
+    }
+
+    fn is_frictional(&self) -> bool {
+        false
+    }
+}
+
+/// Shear force of the spring [N].
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct ShearForce(f64);
+
+impl Memory for ShearForce {
+    fn reduced(&self) -> [f64; 2] {
+        [0.0, self.0]
+    }
+
+    fn from_reduced(forces: [f64; 2]) -> Self {
+        Self(forces[1])
+    }
+}
+
+/// Shear spring with the limit F_n tan φ_μ + c, (17) to (19).
+#[derive(Debug, Clone, Copy)]
+pub struct LinearShear {
+    k: f64,
+    friction: f64,
+    cohesion: f64,
+}
+
+impl Tangential for LinearShear {
+    type Memory = ShearForce;
+    const ACTIVE: bool = true;
+
+    fn prepare(basis: &Basis<'_>) -> Self {
+        let Basis { pair, .. } = basis;
+        let k = if pair.is_frictional() {
+            pair.shear_stiffness
+        } else {
+            0.0
+        };
+        Self {
+            k,
+            friction: pair.friction,
+            cohesion: pair.cohesion,
+        }
+    }
+
+    #[inline(always)]
+    fn force(&self, touch: &Touch, load: &Load, memory: &mut ShearForce) -> Shear {
+        let old = memory.0;
+        let trial = old + self.k * (touch.slide * touch.dt);
+        let limit = self.friction * load.total + self.cohesion;
+        // A dashpot that pulls must not turn the limit negative.
+        let limit = if limit > 0.0 { limit } else { 0.0 };
+        let sliding = trial.abs() > limit;
+        let force = if sliding {
+            limit.copysign(trial)
+        } else {
+            trial
+        };
+        memory.0 = force;
+        let loss = if sliding {
+            0.5 * (old + force) * ((trial - force) / self.k)
+        } else {
+            0.0
+        };
+        Shear {
+            force,
+            loss,
+            sliding,
+        }
+    }
+
+    fn held(&self, memory: &ShearForce) -> f64 {
+        memory.0
+    }
+
+    fn stiffness(&self) -> f64 {
+        self.k
+    }
+
+    fn energy(&self, memory: &ShearForce) -> f64 {
+        if self.k > 0.0 {
+            0.5 * memory.0 * memory.0 / self.k
+        } else {
+            0.0
+        }
+    }
+
+    fn is_frictional(&self) -> bool {
+        self.friction > 0.0 && self.k > 0.0
+    }
+}

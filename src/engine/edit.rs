@@ -1,0 +1,310 @@
+//! Changes from outside: what commands do to a world between cycles.
+//!
+//! Each keeps the bookkeeping right: a sudden change of stored energy is booked as work of the
+//! command, changed materials are worked into pairs, contacts and the time step. Forces stay as
+//! they are until the next cycle evaluates them.
+
+use super::World;
+use super::contact::Reaction;
+use super::neighbours::{Slot, Status};
+use super::particles::Inertia;
+use super::setup::{Damping, Gravity, Material, ParticleSetup, TimeStepChoice, WallSetup};
+use super::wall::Wall;
+
+/// A contact as it stands, for people and measures.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactState {
+    /// Unit vector from the first body to the second.
+    pub e: [f64; 2],
+    /// Overlap [m].
+    pub overlap: f64,
+    /// Distance between the centres, or from the centre to the wall [m].
+    pub distance: f64,
+    /// Ratio by which lever arms are shorter than radii.
+    pub arm: f64,
+}
+
+/// Which way a particle's motion is meant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Motion {
+    /// Velocity [m/s].
+    Velocity([f64; 2]),
+    /// Spin [rad/s].
+    Spin(f64),
+}
+
+impl World {
+    /// Geometry of contact k.
+    pub fn geometry(&self, k: usize) -> ContactState {
+        if let Some(&[i, j]) = self.contacts.pairs.get(k) {
+            let (a, b) = (
+                &self.particles.row[i as usize],
+                &self.particles.row[j as usize],
+            );
+            let d = [b.x[0] - a.x[0], b.x[1] - a.x[1]];
+            let distance = (d[0] * d[0] + d[1] * d[1]).sqrt();
+            let reach = a.radius + b.radius;
+            return ContactState {
+                e: [d[0] / distance, d[1] / distance],
+                overlap: reach - distance,
+                distance,
+                arm: distance / reach,
+            };
+        }
+        let w = k - self.contacts.pairs.len();
+        let touch = &self.contacts.touches[w];
+        let row = &self.particles.row[self.contacts.walls[w].particle as usize];
+        ContactState {
+            e: touch.e,
+            overlap: row.radius - touch.distance,
+            distance: touch.distance,
+            arm: 1.0,
+        }
+    }
+
+    /// Normal and tangential force of contact k as it acts, dashpots included.
+    pub fn reaction(&self, k: usize) -> Reaction {
+        let e = self.geometry(k).e;
+        let Slot([fx, fy, ..]) = self.contacts.slots[k];
+        if self.contacts.status[k] == Status::Apart {
+            return Reaction::default();
+        }
+        Reaction {
+            normal: -(fx * e[0] + fy * e[1]),
+            tangential: -(fx * e[1] - fy * e[0]),
+            sliding: self.contacts.status[k] == Status::Sliding,
+            ..Reaction::default()
+        }
+    }
+
+    /// Velocity [m/s] and spin [rad/s] of particle p at this boundary: the mean of the two half
+    /// steps around it. Needs [`World::settle`] before.
+    pub fn velocity(&self, p: usize) -> ([f64; 2], f64) {
+        let (row, m) = (&self.particles.row[p], &self.particles.mobility[p]);
+        if self.first_kick {
+            return (row.v, row.spin);
+        }
+        let f = &self.particles.force[p];
+        let body = self.particles.body.get(p).copied().unwrap_or([0.0; 2]);
+        let v = [0, 1].map(|k| row.v[k] + 0.5 * m.kick[k] * (f.f[k] + body[k]));
+        (v, row.spin + 0.5 * m.turn * f.tau)
+    }
+
+    /// Centre of particle p in the coordinates of the preset [m].
+    pub fn position(&self, p: usize) -> [f64; 2] {
+        let x = self.particles.row[p].x;
+        [x[0] + self.origin[0], x[1] + self.origin[1]]
+    }
+
+    /// Gives particle p a velocity or spin at this boundary; a prescribed one keeps it.
+    pub fn set_motion(&mut self, p: usize, motion: Motion) {
+        self.booked(|world| world.give(p, motion));
+    }
+
+    /// Stops every particle that is not driven.
+    pub fn zero_velocities(&mut self) {
+        self.booked(|world| {
+            for p in 0..world.particles.len() {
+                let [fx, fy, spin] = world.particles.fixed[p];
+                let v = world.particles.row[p].v;
+                let w = world.particles.row[p].spin;
+                let stop = [if fx { v[0] } else { 0.0 }, if fy { v[1] } else { 0.0 }];
+                world.give(p, Motion::Velocity(stop));
+                world.give(p, Motion::Spin(if spin { w } else { 0.0 }));
+            }
+        });
+    }
+
+    /// Half the kick of the present forces is taken off, so that the given velocity is that of the
+    /// boundary and not of the half step before.
+    fn give(&mut self, p: usize, motion: Motion) {
+        let half = if self.first_kick { 0.0 } else { 0.5 };
+        let (m, f) = (self.particles.mobility[p], self.particles.force[p]);
+        let body = self.particles.body.get(p).copied().unwrap_or([0.0; 2]);
+        let row = &mut self.particles.row[p];
+        match motion {
+            Motion::Velocity(v) => {
+                row.v = [0, 1].map(|k| v[k] - half * m.kick[k] * (f.f[k] + body[k]));
+            }
+            Motion::Spin(w) => row.spin = w - half * m.turn * f.tau,
+        }
+    }
+
+    /// Applies a constant force to particle p [N].
+    pub fn set_force(&mut self, p: usize, force: [f64; 2]) {
+        self.booked(|world| {
+            world.particles.applied[p] = force;
+            world.weigh();
+        });
+    }
+
+    /// Prescribes (or frees) velocity 1, velocity 2 and spin of particle p at their present values.
+    pub fn set_fixed(&mut self, p: usize, fixed: [bool; 3]) {
+        self.booked(|world| {
+            let (v, spin) = world.velocity(p);
+            world.particles.fixed[p] = fixed;
+            world.mobilise();
+            world.give(p, Motion::Velocity(v));
+            world.give(p, Motion::Spin(spin));
+            world.reprepare();
+        });
+    }
+
+    /// Adds a particle; answers its number.
+    pub fn create(&mut self, particle: &ParticleSetup) -> u32 {
+        let id = self.next_id;
+        self.booked(|world| {
+            let density = world.model.materials[particle.material].density;
+            let mass = Inertia::of(world.model.body, particle.radius, density);
+            world.particles.push(id, particle, world.origin, mass);
+            world.next_id += 1;
+            world.fit_ledger();
+            world.rework();
+        });
+        id
+    }
+
+    /// Removes the particle at index p; the others keep their numbers.
+    pub fn delete(&mut self, p: usize) {
+        self.booked(|world| {
+            world.particles.remove(p);
+            world.close_account(p);
+            let left = world.contacts.forget(p);
+            world.keep(&left);
+            world.rework();
+        });
+    }
+
+    /// Adds a wall.
+    pub fn create_wall(&mut self, wall: &WallSetup) {
+        self.walls.push(Wall::new(wall, self.origin));
+        self.fit_ledger();
+        self.join_walls();
+        self.rework();
+    }
+
+    /// Removes wall w.
+    pub fn delete_wall(&mut self, w: usize) {
+        self.booked(|world| {
+            world.walls.remove(w);
+            world.close_wall(w);
+            let left = world.contacts.forget_wall(w);
+            world.keep(&left);
+            world.join_walls();
+            world.rework();
+        });
+    }
+
+    /// Velocity of wall w [m/s].
+    pub fn set_wall_velocity(&mut self, w: usize, velocity: [f64; 2]) {
+        self.walls[w].velocity = velocity;
+    }
+
+    /// Angular velocity of wall w about its turning point [rad/s].
+    pub fn set_wall_spin(&mut self, w: usize, spin: f64) {
+        self.walls[w].spin = spin;
+    }
+
+    /// Gravity, or none.
+    pub fn set_gravity(&mut self, gravity: Option<Gravity>) {
+        self.booked(|world| {
+            world.model.gravity = gravity;
+            world.weigh();
+        });
+    }
+
+    /// Multiple of the base step.
+    pub fn set_frac(&mut self, frac: f64) {
+        self.booked(|world| {
+            world.model.frac = frac;
+            world.retime();
+        });
+    }
+
+    /// The base step itself.
+    pub fn set_time_step(&mut self, choice: TimeStepChoice) {
+        self.booked(|world| {
+            world.model.time_step = choice;
+            world.retime();
+        });
+    }
+
+    /// Damping.
+    pub fn set_damping(&mut self, damping: Damping) {
+        self.booked(|world| {
+            world.model.damping = damping;
+            world.rework();
+        });
+    }
+
+    /// Whether particles turn.
+    pub fn set_rotation(&mut self, rotation: bool) {
+        self.booked(|world| {
+            world.model.rotation = rotation;
+            if !rotation {
+                world
+                    .particles
+                    .row
+                    .iter_mut()
+                    .for_each(|row| row.spin = 0.0);
+            }
+            world.mobilise();
+        });
+    }
+
+    /// Changes materials or pairs and works the change into masses, contacts and the time step.
+    pub fn change_materials(&mut self, change: impl FnOnce(&mut super::setup::Setup)) {
+        self.booked(|world| {
+            change(&mut world.model);
+            for p in 0..world.particles.len() {
+                let material: &Material =
+                    &world.model.materials[world.particles.material[p] as usize];
+                let radius = world.particles.row[p].radius;
+                let mass = Inertia::of(world.model.body, radius, material.density);
+                (world.particles.mass[p], world.particles.inertia[p]) = (mass.mass, mass.inertia);
+            }
+            world.rework();
+        });
+    }
+
+    /// Starts to count the largest FRACC afresh; answers what it was.
+    pub fn take_fracc(&mut self) -> Option<f64> {
+        self.settle();
+        self.fracc.largest.take()
+    }
+
+    /// After a change of particles, walls or materials.
+    fn rework(&mut self) {
+        self.pairs = super::pair::PairTable::new(&self.model);
+        self.relist();
+        self.replan();
+        self.retime();
+        // The change is none of the FRACC monitor's business: no comparison with the old sums.
+        for p in 0..self.particles.len() {
+            self.particles.force[p] = self.contacts.sum::<true>(p);
+        }
+        self.settled = true;
+    }
+
+    /// After a change that only touches effective masses.
+    fn reprepare(&mut self) {
+        let all: Vec<u32> = (0..self.contacts.len() as u32).collect();
+        self.keep(&all);
+    }
+
+    /// The pass follows the list, whose contacts stood at these places before.
+    fn keep(&mut self, places: &[u32]) {
+        let mut pass = self.take_pass();
+        pass.relist(places, &|k| self.basis(k));
+        self.put_pass(pass);
+    }
+
+    fn booked(&mut self, change: impl FnOnce(&mut Self)) {
+        self.settle();
+        let before = self.ledger.is_some().then(|| self.stored());
+        change(self);
+        if let Some(before) = before {
+            self.book_command(before);
+        }
+    }
+}

@@ -1,0 +1,68 @@
+//! Physics gone wrong, named.
+
+use serde::{Deserialize, Serialize};
+
+/// Why a run cannot go on. Particles are named by number, walls by name.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, thiserror::Error)]
+pub enum Fault {
+    /// A position or velocity is not a number.
+    #[error(
+        "cycle {cycle}: motion of particle {particle} is not a number; \
+         reduce frac and look for overlaps at the start"
+    )]
+    NotANumber {
+        /// Cycle in which it happened.
+        cycle: u64,
+        /// Number of the particle.
+        particle: u32,
+    },
+    /// A particle moved by more than its own radius within one cycle.
+    #[error(
+        "cycle {cycle}: particle {particle} ran away, {distance:.3e} m in one cycle is more than \
+         its radius; reduce frac"
+    )]
+    Runaway {
+        /// Cycle in which it happened.
+        cycle: u64,
+        /// Number of the particle.
+        particle: u32,
+        /// Distance in that cycle [m].
+        distance: f64,
+    },
+    /// A particle left the region in which particles can be found again.
+    #[error(
+        "cycle {cycle}: particle {particle} is lost, {distance:.3e} m from the middle of the \
+         scene; close the walls or delete it"
+    )]
+    Lost {
+        /// Cycle in which it happened.
+        cycle: u64,
+        /// Number of the particle.
+        particle: u32,
+        /// Distance from the middle of the scene [m].
+        distance: f64,
+    },
+    /// The centre of a particle passed a wall.
+    #[error(
+        "cycle {cycle}: the centre of particle {particle} went through wall {wall}; \
+         reduce frac, the speed, or stiffen the contact"
+    )]
+    ThroughWall {
+        /// Cycle in which it happened.
+        cycle: u64,
+        /// Number of the particle.
+        particle: u32,
+        /// Name of the wall.
+        wall: String,
+    },
+    /// Two centres coincide, so that the contact has no direction.
+    #[error("cycle {cycle}: the centres of particles {first} and {second} coincide; reduce frac")]
+    Coincident {
+        /// Cycle in which it happened.
+        cycle: u64,
+        /// Number of one particle.
+        first: u32,
+        /// Number of the other.
+        second: u32,
+    },
+}

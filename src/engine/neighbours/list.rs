@@ -1,0 +1,321 @@
+//! The contact list, its slots, and each particle's way to its own slots.
+
+use serde::{Deserialize, Serialize};
+
+use super::grid::Grid;
+use super::{Slot, Status};
+use crate::engine::particles::{Particles, Sum};
+use crate::engine::wall::Wall;
+use crate::engine::wall_contact::{self, WallPair, WallTouch};
+
+/// No place in the old list.
+pub(in crate::engine) const NEW: u32 = u32::MAX;
+
+/// All pairs within TOL of touching, particle pairs first, then particle-wall pairs.
+#[derive(Debug, Default, Serialize, Deserialize)]
+pub struct ContactList {
+    /// Pairs of particle indices, lower first, ascending.
+    pub pairs: Vec<[u32; 2]>,
+    /// Pairs of particle and wall, ascending.
+    pub walls: Vec<WallPair>,
+    /// Where the wall pairs stand now.
+    pub touches: Vec<WallTouch>,
+    /// Force of each contact on its first body.
+    pub slots: Vec<Slot>,
+    /// How each contact stands.
+    pub status: Vec<Status>,
+    /// First entry of each particle.
+    starts: Vec<u32>,
+    /// Slot number times two, plus one where the particle is the second body.
+    entries: Vec<u32>,
+    /// Centres when the list was made.
+    reference: Vec<[f64; 2]>,
+    /// No particle has moved further since then [m].
+    pub travel: f64,
+    /// No point of a wall near the assembly has moved further since then [m].
+    pub wall_travel: f64,
+    /// Times the list was made.
+    pub rebuilds: u64,
+    #[serde(skip)]
+    work: Work,
+}
+
+/// Buffers of the rebuild.
+#[derive(Debug, Default)]
+struct Work {
+    grid: Grid,
+    pairs: Vec<[u32; 2]>,
+    walls: Vec<WallPair>,
+    slots: Vec<Slot>,
+    status: Vec<Status>,
+    touches: Vec<WallTouch>,
+    old: Vec<u32>,
+}
+
+impl ContactList {
+    /// Number of listed contacts.
+    pub fn len(&self) -> usize {
+        self.pairs.len() + self.walls.len()
+    }
+
+    /// Whether nothing is listed.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Makes the list anew: everything nearer than `tol` [m]. Answers where each contact stood in
+    /// the old list, in a buffer to be given back.
+    pub fn rebuild(&mut self, particles: &Particles, walls: &[Wall], tol: f64) -> Vec<u32> {
+        let rows = &particles.row;
+        let largest = rows.iter().fold(0.0, |most: f64, row| most.max(row.radius));
+        let work = &mut self.work;
+        work.grid.fill(rows, 2.0 * largest + tol);
+        work.pairs.clear();
+        work.walls.clear();
+        for p in 0..rows.len() {
+            let first = work.pairs.len();
+            let (a, pairs) = (&rows[p], &mut work.pairs);
+            work.grid.around(p, |q| {
+                let b = &rows[q];
+                let d = [b.x[0] - a.x[0], b.x[1] - a.x[1]];
+                let reach = a.radius + b.radius + tol;
+                if p < q && d[0] * d[0] + d[1] * d[1] < reach * reach {
+                    pairs.push([p as u32, q as u32]);
+                }
+            });
+            work.pairs[first..].sort_unstable();
+            for (w, wall) in walls.iter().enumerate() {
+                if wall_contact::distance(wall, a.x) < a.radius + tol {
+                    let side = wall_contact::side(wall, a.x);
+                    work.walls.push(WallPair {
+                        particle: p as u32,
+                        wall: w as u32,
+                        side,
+                    });
+                }
+            }
+        }
+        self.carry_over();
+        self.index(rows.len());
+        self.reference.clear();
+        self.reference.extend(rows.iter().map(|row| row.x));
+        self.travel = 0.0;
+        self.wall_travel = 0.0;
+        self.rebuilds += 1;
+        std::mem::take(&mut self.work.old)
+    }
+
+    /// Takes the buffer of [`Self::rebuild`] back.
+    pub fn give_back(&mut self, old: Vec<u32>) {
+        self.work.old = old;
+    }
+
+    /// Slots, status and sides of contacts that were listed before stay what they are.
+    fn carry_over(&mut self) {
+        let work = &mut self.work;
+        work.old.clear();
+        match_sorted(&self.pairs, &work.pairs, |p| *p, &mut work.old);
+        let shift = self.pairs.len() as u32;
+        let from = work.old.len();
+        match_sorted(
+            &self.walls,
+            &work.walls,
+            |w| [w.particle, w.wall],
+            &mut work.old,
+        );
+        work.slots.clear();
+        work.status.clear();
+        work.touches.clear();
+        for old in &mut work.old[from..] {
+            if *old != NEW {
+                *old += shift;
+            }
+        }
+        for &old in &work.old {
+            work.slots
+                .push(self.slots.get(old as usize).copied().unwrap_or_default());
+            work.status
+                .push(self.status.get(old as usize).copied().unwrap_or_default());
+        }
+        for (pair, &old) in work.walls.iter_mut().zip(&work.old[from..]) {
+            let before = (old != NEW).then(|| (old - shift) as usize);
+            work.touches
+                .push(before.map(|k| self.touches[k]).unwrap_or_default());
+            if let Some(k) = before {
+                pair.side = self.walls[k].side;
+            }
+        }
+        std::mem::swap(&mut self.pairs, &mut work.pairs);
+        std::mem::swap(&mut self.walls, &mut work.walls);
+        std::mem::swap(&mut self.slots, &mut work.slots);
+        std::mem::swap(&mut self.status, &mut work.status);
+        std::mem::swap(&mut self.touches, &mut work.touches);
+    }
+
+    /// Each particle's entries: partners ascending, then walls ascending.
+    fn index(&mut self, particles: usize) {
+        self.starts.clear();
+        self.starts.resize(particles + 2, 0);
+        for &[i, j] in &self.pairs {
+            self.starts[i as usize + 2] += 1;
+            self.starts[j as usize + 2] += 1;
+        }
+        for wall in &self.walls {
+            self.starts[wall.particle as usize + 2] += 1;
+        }
+        for p in 2..self.starts.len() {
+            self.starts[p] += self.starts[p - 1];
+        }
+        self.entries.clear();
+        self.entries
+            .resize(2 * self.pairs.len() + self.walls.len(), 0);
+        let mut place = |p: u32, entry: usize| {
+            let next = &mut self.starts[p as usize + 1];
+            self.entries[*next as usize] = entry as u32;
+            *next += 1;
+        };
+        // Lower partners first: in the list they all come before the particle's own pairs.
+        for (k, pair) in self.pairs.iter().enumerate() {
+            place(pair[1], 2 * k + 1);
+        }
+        for (k, pair) in self.pairs.iter().enumerate() {
+            place(pair[0], 2 * k);
+        }
+        for (w, wall) in self.walls.iter().enumerate() {
+            place(wall.particle, 2 * (self.pairs.len() + w));
+        }
+    }
+
+    /// Contact numbers of a particle, and whether it is the second body there.
+    pub fn of(&self, p: usize) -> impl Iterator<Item = (usize, bool)> + '_ {
+        let entries = &self.entries[self.starts[p] as usize..self.starts[p + 1] as usize];
+        entries
+            .iter()
+            .map(|&entry| ((entry >> 1) as usize, entry & 1 == 1))
+    }
+
+    /// Contact force on a particle, summed in ascending order of partners.
+    #[inline]
+    pub fn sum<const SCALE: bool>(&self, p: usize) -> Sum {
+        let mut sum = Sum::default();
+        let entries = &self.entries[self.starts[p] as usize..self.starts[p + 1] as usize];
+        for &entry in entries {
+            let Slot([fx, fy, tau, _]) = self.slots[(entry >> 1) as usize];
+            let sign = 1.0 - 2.0 * f64::from(entry & 1);
+            sum.f[0] += sign * fx;
+            sum.f[1] += sign * fy;
+            sum.tau += tau;
+            if SCALE {
+                sum.scale += fx.abs() + fy.abs();
+            }
+        }
+        sum
+    }
+
+    /// Furthest that any particle really moved since the list was made [m].
+    pub fn measured_travel(&self, particles: &Particles) -> f64 {
+        let square =
+            particles
+                .row
+                .iter()
+                .zip(&self.reference)
+                .fold(0.0, |most: f64, (row, old)| {
+                    let d = [row.x[0] - old[0], row.x[1] - old[1]];
+                    most.max(d[0] * d[0] + d[1] * d[1])
+                });
+        square.sqrt()
+    }
+
+    /// Drops the contacts of particle p and renumbers those above it, as the particle is removed.
+    /// Answers which contacts are left, by their old numbers; the list must be made anew.
+    pub fn forget(&mut self, p: usize) -> Vec<u32> {
+        let p = p as u32;
+        let left = self.retain(|pair| !pair.contains(&p), |wall| wall.particle != p);
+        let above = |q: &mut u32| *q -= u32::from(*q > p);
+        self.pairs.iter_mut().flatten().for_each(above);
+        self.walls
+            .iter_mut()
+            .for_each(|wall| above(&mut wall.particle));
+        left
+    }
+
+    /// The same for a wall.
+    pub fn forget_wall(&mut self, w: usize) -> Vec<u32> {
+        let w = w as u32;
+        let left = self.retain(|_| true, |wall| wall.wall != w);
+        self.walls
+            .iter_mut()
+            .for_each(|wall| wall.wall -= u32::from(wall.wall > w));
+        left
+    }
+
+    fn retain(
+        &mut self,
+        pair: impl Fn(&[u32; 2]) -> bool,
+        wall: impl Fn(&WallPair) -> bool,
+    ) -> Vec<u32> {
+        let keep: Vec<bool> = self
+            .pairs
+            .iter()
+            .map(pair)
+            .chain(self.walls.iter().map(wall))
+            .collect();
+        let walls = &keep[self.pairs.len()..];
+        self.touches = chosen(&self.touches, walls);
+        self.walls = chosen(&self.walls, walls);
+        self.pairs = chosen(&self.pairs, &keep[..self.pairs.len()]);
+        self.slots = chosen(&self.slots, &keep);
+        self.status = chosen(&self.status, &keep);
+        (0..keep.len() as u32)
+            .filter(|&k| keep[k as usize])
+            .collect()
+    }
+
+    /// Bytes of the list per contact and per particle, buffers included.
+    pub fn bytes() -> [usize; 2] {
+        let contact = size_of::<[u32; 2]>() + size_of::<Slot>() + size_of::<Status>();
+        [
+            2 * (contact + size_of::<u32>()),
+            size_of::<[f64; 2]>() + 4 * size_of::<u32>(),
+        ]
+    }
+}
+
+fn chosen<T: Copy>(items: &[T], keep: &[bool]) -> Vec<T> {
+    items
+        .iter()
+        .zip(keep)
+        .filter(|(_, keep)| **keep)
+        .map(|(item, _)| *item)
+        .collect()
+}
+
+/// For each item of the sorted `new`, its place in the sorted `old`, or [`NEW`].
+fn match_sorted<T>(old: &[T], new: &[T], key: impl Fn(&T) -> [u32; 2], places: &mut Vec<u32>) {
+    let mut k = 0;
+    for item in new {
+        let wanted = key(item);
+        while k < old.len() && key(&old[k]) < wanted {
+            k += 1;
+        }
+        let found = k < old.len() && key(&old[k]) == wanted;
+        places.push(if found { k as u32 } else { NEW });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_are_found_by_walking() {
+        let mut places = Vec::new();
+        match_sorted(
+            &[[0, 1], [0, 3], [2, 5]],
+            &[[0, 2], [0, 3], [2, 5], [3, 4]],
+            |p| *p,
+            &mut places,
+        );
+        assert_eq!(places, [NEW, 1, 2, NEW]);
+    }
+}

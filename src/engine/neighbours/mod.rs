@@ -1,0 +1,27 @@
+//! Who may touch whom: pairs nearer than TOL, found with boxes, kept until something moved TOL/2.
+//!
+//! Cundall's halo of 1976 (Randall 1989, 4.1). The list is sorted by particle, so contact memory
+//! is carried over by walking old and new list side by side.
+
+pub mod grid;
+pub mod list;
+
+use serde::{Deserialize, Serialize};
+
+/// Force on the first body of a contact: f1, f2 [N], tangential force times lever arm over radius
+/// [N]; the fourth lane fills the row.
+#[repr(C, align(32))]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Slot(pub [f64; 4]);
+
+/// How a listed contact stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub enum Status {
+    /// Not touching.
+    #[default]
+    Apart,
+    /// Touching.
+    Touching,
+    /// Touching, and the whole contact slid in the last cycle.
+    Sliding,
+}

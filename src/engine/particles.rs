@@ -1,0 +1,176 @@
+//! Particles as columns: what the cycle touches stands together, the rest apart.
+//!
+//! Index order is ascending particle number. Positions are relative to the world's origin.
+
+use serde::{Deserialize, Serialize};
+
+use super::setup::{Body, ParticleSetup};
+
+/// What the contact and motion passes read and write of one particle: one cache line.
+#[repr(C, align(64))]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Row {
+    /// Velocity at the last half step [m/s].
+    pub v: [f64; 2],
+    /// Spin at the last half step [rad/s], counter-clockwise.
+    pub spin: f64,
+    /// Radius [m].
+    pub radius: f64,
+    /// Centre relative to the origin of the world [m].
+    pub x: [f64; 2],
+    /// Angle [rad].
+    pub angle: f64,
+}
+
+/// How a particle answers force: zero where its velocity is prescribed.
+#[repr(C, align(32))]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Mobility {
+    /// dt/m in each direction [s/kg].
+    pub kick: [f64; 2],
+    /// dt R/I [s/(kg m)]: times the sum of tangential forces gives the change of spin.
+    pub turn: f64,
+}
+
+/// Contact force on a particle.
+#[repr(C, align(32))]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Sum {
+    /// Force [N].
+    pub f: [f64; 2],
+    /// Moment over radius [N].
+    pub tau: f64,
+    /// Sum of |f1| + |f2| over the contacts [N]: the scale FRACC is judged by.
+    pub scale: f64,
+}
+
+/// All particles.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Particles {
+    /// Number shown to users, ascending.
+    pub id: Vec<u32>,
+    /// Hot state.
+    pub row: Vec<Row>,
+    /// Answer to force in the present time step.
+    pub mobility: Vec<Mobility>,
+    /// Contact force at the last boundary where it was summed.
+    pub force: Vec<Sum>,
+    /// Constant force [N]: weight and applied force; empty when nothing has any.
+    pub body: Vec<[f64; 2]>,
+    /// Mass [kg].
+    pub mass: Vec<f64>,
+    /// Moment of inertia [kg m²].
+    pub inertia: Vec<f64>,
+    /// Index of the material.
+    pub material: Vec<u16>,
+    /// Applied force [N].
+    pub applied: Vec<[f64; 2]>,
+    /// Which of v1, v2 and spin are prescribed.
+    pub fixed: Vec<[bool; 3]>,
+}
+
+impl Particles {
+    /// Number of particles.
+    pub fn len(&self) -> usize {
+        self.id.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.id.is_empty()
+    }
+
+    /// Index of a particle number.
+    pub fn index(&self, id: u32) -> Option<usize> {
+        self.id.binary_search(&id).ok()
+    }
+
+    /// Appends a particle under a number above all others.
+    pub fn push(&mut self, id: u32, p: &ParticleSetup, origin: [f64; 2], mass: Inertia) {
+        self.id.push(id);
+        self.row.push(Row {
+            v: p.velocity,
+            spin: p.spin,
+            radius: p.radius,
+            x: [p.at[0] - origin[0], p.at[1] - origin[1]],
+            angle: p.angle,
+        });
+        self.mobility.push(Mobility::default());
+        self.force.push(Sum::default());
+        self.mass.push(mass.mass);
+        self.inertia.push(mass.inertia);
+        self.material.push(p.material as u16);
+        self.applied.push(p.force);
+        self.fixed.push(p.fixed);
+        self.body.clear();
+    }
+
+    /// Removes the particle at an index; the others keep their numbers.
+    pub fn remove(&mut self, p: usize) {
+        self.id.remove(p);
+        self.row.remove(p);
+        self.mobility.remove(p);
+        self.force.remove(p);
+        self.mass.remove(p);
+        self.inertia.remove(p);
+        self.material.remove(p);
+        self.applied.remove(p);
+        self.fixed.remove(p);
+        self.body.clear();
+    }
+
+    /// Whether nothing can move the particle at an index.
+    pub fn is_driven(&self, p: usize) -> bool {
+        self.fixed[p] == [true; 3]
+    }
+
+    /// Smallest radius [m]; infinite without particles.
+    pub fn smallest_radius(&self) -> f64 {
+        self.row
+            .iter()
+            .fold(f64::INFINITY, |least, row| least.min(row.radius))
+    }
+
+    /// Bounding box of the centres [m], relative to the origin: lower and upper corner.
+    pub fn extent(&self) -> [[f64; 2]; 2] {
+        let mut low = [f64::INFINITY; 2];
+        let mut high = [f64::NEG_INFINITY; 2];
+        for row in &self.row {
+            low = [low[0].min(row.x[0]), low[1].min(row.x[1])];
+            high = [high[0].max(row.x[0]), high[1].max(row.x[1])];
+        }
+        [low, high]
+    }
+}
+
+/// Mass and moment of inertia of one particle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Inertia {
+    /// Mass [kg].
+    pub mass: f64,
+    /// Moment of inertia [kg m²].
+    pub inertia: f64,
+}
+
+impl Inertia {
+    /// Of a disc of unit length or a sphere, for radius [m] and density [kg/m³].
+    pub fn of(body: Body, radius: f64, density: f64) -> Self {
+        use std::f64::consts::PI;
+        match body {
+            Body::Disc => {
+                let mass = density * PI * radius * radius;
+                Self {
+                    mass,
+                    inertia: 0.5 * mass * radius * radius,
+                }
+            }
+            Body::Sphere => {
+                let mass = 4.0 / 3.0 * PI * radius * radius * radius * density;
+                Self {
+                    mass,
+                    inertia: 0.4 * mass * radius * radius,
+                }
+            }
+        }
+    }
+}

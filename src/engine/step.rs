@@ -1,0 +1,291 @@
+//! The cycle: forces to motion to forces. Cundall & Strack 1979.
+//!
+//! At every boundary n the positions `x_n`, the contact forces `F_n(x_n, v_{n-½})` and the
+//! velocities `v_{n-½}` belong together.
+
+use super::World;
+use super::contact::pass::View;
+use super::fault::Fault;
+use super::motion::{self, Dragged, Inputs, Watch};
+use super::neighbours::{Slot, Status};
+use super::particles::{Row, Sum};
+use super::setup::Gravity;
+use super::threads::Threads;
+use super::time_step::FRACC_WARNING;
+use super::wall_contact;
+
+/// Further than so many sizes of the scene from its middle, a particle is lost.
+const LOST: f64 = 1e4;
+
+impl World {
+    /// One cycle: motion under the present forces, then the forces of the new positions.
+    pub fn cycle(&mut self) -> Result<(), Fault> {
+        self.depart();
+        self.motion()?;
+        for wall in &mut self.walls {
+            wall.advance(self.dt);
+        }
+        self.touch(self.dt)?;
+        self.arrive();
+        Ok(())
+    }
+
+    fn motion(&mut self) -> Result<(), Fault> {
+        if matches!(self.model.gravity, Some(Gravity::Centripetal { .. })) {
+            self.weigh();
+        }
+        let watch = self.pass_over_particles(motion::advance);
+        self.note_fracc(&watch);
+        self.cycle += 1;
+        self.first_kick = false;
+        self.settled = false;
+        self.contacts.travel += watch.fastest.sqrt() * self.dt;
+        if watch.wild {
+            Err(self.wild_particle())
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Sums the forces of this boundary, once.
+    pub fn settle(&mut self) {
+        if !self.settled {
+            let watch = self.pass_over_particles(motion::settle);
+            self.note_fracc(&watch);
+            self.settled = true;
+        }
+    }
+
+    fn pass_over_particles(
+        &mut self,
+        work: impl Fn(Inputs<'_>, &mut [Row], &mut [Sum], &Threads) -> Watch,
+    ) -> Watch {
+        let part = self.kick_part();
+        let spin = self.model.rotation && self.pass().tangential();
+        let due = self.cycle.is_multiple_of(u64::from(self.model.fracc_every));
+        let Self {
+            particles,
+            contacts,
+            model,
+            threads,
+            ..
+        } = self;
+        let inputs = Inputs {
+            contacts,
+            mobility: &particles.mobility,
+            body: &particles.body,
+            dt: self.dt,
+            part,
+            settled: self.settled,
+            // Before the first step nothing has changed yet.
+            fracc: !self.first_kick && due,
+            spin,
+            drag: Dragged::new(&model.damping, part * self.dt),
+        };
+        work(inputs, &mut particles.row, &mut particles.force, threads)
+    }
+
+    /// The first kick is half a step.
+    pub(super) fn kick_part(&self) -> f64 {
+        if self.first_kick { 0.5 } else { 1.0 }
+    }
+
+    fn note_fracc(&mut self, watch: &Watch) {
+        if self.settled || self.first_kick {
+            return;
+        }
+        let (fourth, index) = watch.fracc;
+        let fracc = motion::fracc(fourth);
+        let monitor = &mut self.fracc;
+        monitor.largest = Some(monitor.largest.map_or(fracc, |before| before.max(fracc)));
+        if fracc > FRACC_WARNING {
+            let seen = (self.cycle, self.particles.id[index], fracc);
+            monitor.warnings += 1;
+            monitor.last = Some(seen);
+            if monitor.worst.is_none_or(|worst| fracc > worst.2) {
+                monitor.worst = Some(seen);
+            }
+        }
+    }
+
+    /// Finds the neighbours if need be and evaluates all contacts over a step of `dt` [s]; 0 only
+    /// evaluates.
+    pub(super) fn touch(&mut self, dt: f64) -> Result<(), Fault> {
+        self.find_neighbours()?;
+        self.locate_walls()?;
+        let mut pass = self.take_pass();
+        let contacts = &mut self.contacts;
+        let view = View {
+            rows: &self.particles.row,
+            pairs: &contacts.pairs,
+            wall_pairs: &contacts.walls,
+            wall_touches: &contacts.touches,
+            dt,
+        };
+        pass.evaluate(
+            view,
+            &mut contacts.slots,
+            &mut contacts.status,
+            &self.threads,
+        );
+        self.put_pass(pass);
+        self.settled = false;
+        Ok(())
+    }
+
+    /// Makes the list again when something may have moved TOL/2 since it was made.
+    fn find_neighbours(&mut self) -> Result<(), Fault> {
+        let moved = self
+            .walls
+            .iter()
+            .map(|wall| self.reach_of(wall))
+            .fold(0.0, f64::max);
+        let contacts = &mut self.contacts;
+        contacts.wall_travel += moved * self.dt;
+        let made = contacts.rebuilds > 0;
+        let apart = |particle: f64, wall: f64| (2.0 * particle).max(particle + wall);
+        if made && apart(contacts.travel, contacts.wall_travel) < self.tol {
+            return Ok(());
+        }
+        if made {
+            // The sum of largest speeds overestimates: look before searching.
+            contacts.travel = contacts.measured_travel(&self.particles);
+            if apart(contacts.travel, contacts.wall_travel) < 0.5 * self.tol {
+                return Ok(());
+            }
+        }
+        self.lost_particle()?;
+        self.relist();
+        Ok(())
+    }
+
+    /// Makes the list and carries the memory over.
+    pub(super) fn relist(&mut self) {
+        let mut pass = self.take_pass();
+        let mut contacts = std::mem::take(&mut self.contacts);
+        let old = contacts.rebuild(&self.particles, &self.walls, self.tol);
+        self.contacts = contacts;
+        pass.relist(&old, &|k| self.basis(k));
+        self.contacts.give_back(old);
+        self.put_pass(pass);
+    }
+
+    /// Largest speed of any point of a wall that a particle can meet [m/s].
+    fn reach_of(&self, wall: &super::wall::Wall) -> f64 {
+        let speed = |v: [f64; 2]| (v[0] * v[0] + v[1] * v[1]).sqrt();
+        if wall.spin == 0.0 {
+            return speed(wall.velocity);
+        }
+        let far = 2.0 * (self.size + speed(wall.about));
+        speed(wall.velocity) + wall.spin.abs() * far
+    }
+
+    fn locate_walls(&mut self) -> Result<(), Fault> {
+        let share = self.joint_reach();
+        let first = self.contacts.pairs.len();
+        for w in 0..self.contacts.walls.len() {
+            let pair = &mut self.contacts.walls[w];
+            let row: &Row = &self.particles.row[pair.particle as usize];
+            match wall_contact::locate(&self.walls, pair, row, share) {
+                Ok((touch, taker)) => {
+                    self.contacts.touches[w] = touch;
+                    if let Some(taker) = taker {
+                        self.hand_over(first, w, taker);
+                    }
+                }
+                Err(wall_contact::Through) => {
+                    return Err(Fault::ThroughWall {
+                        cycle: self.cycle,
+                        particle: self.particles.id[pair.particle as usize],
+                        wall: self.walls[pair.wall as usize].name.clone(),
+                    });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// A particle that rolls over a joint keeps its contact memory.
+    fn hand_over(&mut self, first: usize, from: usize, taker: u32) {
+        if self.contacts.status[first + from] == Status::Apart {
+            return;
+        }
+        let particle = self.contacts.walls[from].particle;
+        let to = self
+            .contacts
+            .walls
+            .binary_search_by_key(&(particle, taker), |pair| (pair.particle, pair.wall));
+        if let Ok(to) = to
+            && self.contacts.status[first + to] == Status::Apart
+        {
+            let mut pass = self.take_pass();
+            pass.hand_over(first + from, first + to);
+            self.put_pass(pass);
+            let contacts = &mut self.contacts;
+            contacts.status.swap(first + from, first + to);
+            contacts.slots[first + from] = Slot::default();
+        }
+    }
+
+    /// The particle that moved too far, or not by a number.
+    fn wild_particle(&self) -> Fault {
+        let (p, cycle) = (&self.particles, self.cycle);
+        for (k, row) in p.row.iter().enumerate() {
+            let step = (row.v[0] * row.v[0] + row.v[1] * row.v[1]).sqrt() * self.dt;
+            if step < row.radius {
+                continue;
+            }
+            for (contact, _) in self.contacts.of(k) {
+                let Some(&[i, j]) = self.contacts.pairs.get(contact) else {
+                    continue;
+                };
+                let Slot(force) = self.contacts.slots[contact];
+                if force.iter().any(|f| f.is_nan()) && step.is_nan() {
+                    let (first, second) = (p.id[i as usize], p.id[j as usize]);
+                    return Fault::Coincident {
+                        cycle,
+                        first,
+                        second,
+                    };
+                }
+            }
+            let particle = p.id[k];
+            return if step.is_nan() {
+                Fault::NotANumber { cycle, particle }
+            } else {
+                Fault::Runaway {
+                    cycle,
+                    particle,
+                    distance: step,
+                }
+            };
+        }
+        Fault::NotANumber {
+            cycle,
+            particle: p.id.first().copied().unwrap_or(0),
+        }
+    }
+
+    fn lost_particle(&self) -> Result<(), Fault> {
+        for (row, &particle) in self.particles.row.iter().zip(&self.particles.id) {
+            let distance = row.x[0].abs().max(row.x[1].abs());
+            if distance > LOST * (self.size + self.origin_size()) {
+                return Err(Fault::Lost {
+                    cycle: self.cycle,
+                    particle,
+                    distance,
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// Scenes that keep their own coordinates may lie up to sixteen sizes off the origin.
+    fn origin_size(&self) -> f64 {
+        if self.origin == [0.0; 2] {
+            16.0 * self.size
+        } else {
+            0.0
+        }
+    }
+}

@@ -1,0 +1,425 @@
+//! The state of a simulation.
+
+use serde::{Deserialize, Serialize};
+
+use super::contact::pass::{BasisOwned, ContactPass};
+use super::fault::Fault;
+use super::ledger::Ledger;
+use super::neighbours::list::ContactList;
+use super::pair::PairTable;
+use super::particles::{Inertia, Mobility, Particles};
+use super::plan::Plan;
+use super::setup::{Body, Gravity, ParticleSetup, Setup};
+use super::threads::Threads;
+use super::time_step;
+use super::wall::Wall;
+
+/// Particles, walls, contacts and what they are modelled with, at a cycle boundary.
+#[derive(Serialize, Deserialize)]
+pub struct World {
+    /// What was set up; particles and walls have moved on to the columns below.
+    pub(super) model: Setup,
+    pub(super) pairs: PairTable,
+    /// Added to inner coordinates gives those of the preset [m].
+    pub(super) origin: [f64; 2],
+    pub(super) cycle: u64,
+    /// Time and cycle when the step was last changed: time is counted from there.
+    pub(super) since: (f64, u64),
+    pub(super) dt: f64,
+    pub(super) base_step: f64,
+    /// Given velocities are those of the start: the first kick is half a step.
+    pub(super) first_kick: bool,
+    pub(super) particles: Particles,
+    pub(super) walls: Vec<Wall>,
+    pub(super) contacts: ContactList,
+    pub(super) ledger: Option<Ledger>,
+    /// Whether `particles.force` holds the sums of this boundary.
+    pub(super) settled: bool,
+    pub(super) fracc: FraccMonitor,
+    pub(super) tol: f64,
+    /// Size of the scene at the start, for finding lost particles [m].
+    pub(super) size: f64,
+    pub(super) next_id: u32,
+    /// Memory of the contacts, filled only in a checkpoint.
+    memory: Vec<u8>,
+    #[serde(skip)]
+    pass: Option<Box<dyn ContactPass>>,
+    #[serde(skip)]
+    pub(super) threads: Threads,
+}
+
+/// What the FRACC monitor saw.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct FraccMonitor {
+    /// Largest FRACC since the last row of the history.
+    pub largest: Option<f64>,
+    /// Cycles in which it was above 0.3.
+    pub warnings: u64,
+    /// The last such cycle: cycle, particle number, FRACC.
+    pub last: Option<(u64, u32, f64)>,
+    /// The worst such cycle: cycle, particle number, FRACC.
+    pub worst: Option<(u64, u32, f64)>,
+}
+
+impl World {
+    /// Builds the world of a setup and evaluates its first forces.
+    pub fn build(setup: Setup, threads: usize) -> Result<Self, Fault> {
+        let origin = far_origin(&setup.particles);
+        let mut particles = Particles::default();
+        for (p, particle) in setup.particles.iter().enumerate() {
+            let density = setup.materials[particle.material].density;
+            let mass = Inertia::of(setup.body, particle.radius, density);
+            particles.push(p as u32 + 1, particle, origin, mass);
+        }
+        let walls = setup.walls.iter().map(|w| Wall::new(w, origin)).collect();
+        let smallest = particles.smallest_radius();
+        let tol = setup.tol.unwrap_or(0.1 * smallest);
+        let [low, high] = particles.extent();
+        let size = (high[0] - low[0]).max(high[1] - low[1]).max(0.0) + 2.0 * smallest;
+        let pairs = PairTable::new(&setup);
+        let mut world = Self {
+            pairs,
+            origin,
+            cycle: 0,
+            since: (0.0, 0),
+            dt: f64::NAN,
+            base_step: f64::NAN,
+            first_kick: true,
+            next_id: particles.len() as u32 + 1,
+            particles,
+            walls,
+            contacts: ContactList::default(),
+            ledger: setup.ledger.then(Ledger::default),
+            settled: false,
+            fracc: FraccMonitor::default(),
+            tol: if tol.is_finite() { tol } else { 1.0 },
+            size,
+            memory: Vec::new(),
+            pass: None,
+            threads: Threads::new(threads),
+            model: Setup {
+                particles: Vec::new(),
+                walls: Vec::new(),
+                ..setup
+            },
+        };
+        world.join_walls();
+        world.replan();
+        world.retime();
+        world.touch(0.0)?;
+        world.open_ledger();
+        Ok(world)
+    }
+
+    /// Ready to be written to a checkpoint: takes the contact memory along.
+    pub fn pack(&mut self) {
+        self.memory = self
+            .pass
+            .as_ref()
+            .map(|pass| pass.save())
+            .unwrap_or_default();
+    }
+
+    /// After reading a checkpoint: what is not stored is made again. False if it does not fit.
+    pub fn unpack(&mut self, threads: usize) -> bool {
+        self.threads = Threads::new(threads);
+        let mut pass = self.plan().pass();
+        let old = vec![u32::MAX; self.contacts.len()];
+        pass.relist(&old, &|k| self.basis(k));
+        let fits = pass.load(&std::mem::take(&mut self.memory));
+        self.pass = Some(pass);
+        fits
+    }
+
+    /// Cycles done.
+    pub fn cycle_number(&self) -> u64 {
+        self.cycle
+    }
+
+    /// Simulated time [s].
+    pub fn time(&self) -> f64 {
+        self.since.0 + (self.cycle - self.since.1) as f64 * self.dt
+    }
+
+    /// Time step [s].
+    pub fn dt(&self) -> f64 {
+        self.dt
+    }
+
+    /// The step that FRAC multiplies [s].
+    pub fn base_step(&self) -> f64 {
+        self.base_step
+    }
+
+    /// Materials, law, damping and so on as they are now.
+    pub fn model(&self) -> &Setup {
+        &self.model
+    }
+
+    /// Parameters of all pairs of materials.
+    pub fn pair_table(&self) -> &PairTable {
+        &self.pairs
+    }
+
+    /// Particles; positions are relative to [`World::origin`].
+    pub fn particles(&self) -> &Particles {
+        &self.particles
+    }
+
+    /// Walls; positions are relative to [`World::origin`].
+    pub fn walls(&self) -> &[Wall] {
+        &self.walls
+    }
+
+    /// Contacts.
+    pub fn contacts(&self) -> &ContactList {
+        &self.contacts
+    }
+
+    /// The energy ledger, if energies are booked.
+    pub fn ledger(&self) -> Option<&Ledger> {
+        self.ledger.as_ref()
+    }
+
+    /// Added to inner coordinates gives those of the preset [m].
+    pub fn origin(&self) -> [f64; 2] {
+        self.origin
+    }
+
+    /// What the FRACC monitor saw.
+    pub fn fracc_monitor(&self) -> &FraccMonitor {
+        &self.fracc
+    }
+
+    /// Halo within which pairs are listed [m].
+    pub fn tol(&self) -> f64 {
+        self.tol
+    }
+
+    /// Number of threads.
+    pub fn threads(&self) -> usize {
+        self.threads.count()
+    }
+
+    /// The contact pass.
+    ///
+    /// # Panics
+    /// Never after `build` or `unpack`.
+    pub fn pass(&self) -> &dyn ContactPass {
+        self.pass.as_deref().expect("build and unpack make a pass")
+    }
+
+    pub(super) fn take_pass(&mut self) -> Box<dyn ContactPass> {
+        self.pass.take().expect("build and unpack make a pass")
+    }
+
+    pub(super) fn put_pass(&mut self, pass: Box<dyn ContactPass>) {
+        self.pass = Some(pass);
+    }
+
+    /// What the scene needs modelled as its materials are now.
+    pub fn plan(&self) -> Plan {
+        let mut used: Vec<usize> = self
+            .particles
+            .material
+            .iter()
+            .map(|&m| m as usize)
+            .collect();
+        used.sort_unstable();
+        used.dedup();
+        Plan::new(
+            &self.model,
+            &self.pairs,
+            &used,
+            &self.wall_materials(),
+            self.ledger.is_some(),
+        )
+    }
+
+    pub(super) fn wall_materials(&self) -> Vec<usize> {
+        self.walls.iter().map(|wall| wall.material).collect()
+    }
+
+    /// Chooses the pass anew and prepares every contact; memory carries over in reduced form.
+    pub(super) fn replan(&mut self) {
+        let mut pass = self.plan().pass();
+        let old = vec![u32::MAX; self.contacts.len()];
+        pass.relist(&old, &|k| self.basis(k));
+        if let Some(before) = self.pass.take() {
+            for k in 0..self.contacts.len() {
+                pass.seed(k, before.reduced(k));
+            }
+        }
+        self.pass = Some(pass);
+        self.weigh();
+    }
+
+    /// What contact k is prepared from.
+    pub(super) fn basis(&self, k: usize) -> BasisOwned {
+        let p = &self.particles;
+        let inverse = |q: usize| if p.is_driven(q) { 0.0 } else { 1.0 / p.mass[q] };
+        if let Some(&[i, j]) = self.contacts.pairs.get(k) {
+            let (i, j) = (i as usize, j as usize);
+            let pair = *self
+                .pairs
+                .get(p.material[i] as usize, p.material[j] as usize, false);
+            let sum = inverse(i) + inverse(j);
+            // Two driven particles: any finite mass will do, nothing answers their force.
+            return BasisOwned {
+                pair,
+                m_eff: if sum > 0.0 { 1.0 / sum } else { p.mass[i] },
+            };
+        }
+        let wall = &self.contacts.walls[k - self.contacts.pairs.len()];
+        let i = wall.particle as usize;
+        let material = self.walls[wall.wall as usize].material;
+        let pair = *self.pairs.get(p.material[i] as usize, material, true);
+        BasisOwned {
+            pair,
+            m_eff: p.mass[i],
+        }
+    }
+
+    /// Sets the time step and the answer to force that goes with it.
+    pub(super) fn retime(&mut self) {
+        let time = if self.dt.is_finite() {
+            self.time()
+        } else {
+            0.0
+        };
+        let walls = self.wall_materials();
+        self.base_step = time_step::base(&self.model, &self.pairs, &self.particles, &walls);
+        self.since = (time, self.cycle);
+        self.dt = self.model.frac * self.base_step;
+        self.mobilise();
+    }
+
+    /// Works out the answer to force of every particle.
+    pub(super) fn mobilise(&mut self) {
+        let (dt, p) = (self.dt, &mut self.particles);
+        for k in 0..p.len() {
+            let free = |axis: usize, gain: f64| if p.fixed[k][axis] { 0.0 } else { gain };
+            let kick = dt / p.mass[k];
+            let turn = dt * p.row[k].radius / p.inertia[k];
+            p.mobility[k] = Mobility {
+                kick: [free(0, kick), free(1, kick)],
+                turn: if self.model.rotation {
+                    free(2, turn)
+                } else {
+                    0.0
+                },
+            };
+        }
+    }
+
+    /// Works out weight and applied force of every particle, if there are any.
+    pub(super) fn weigh(&mut self) {
+        let p = &mut self.particles;
+        p.body.clear();
+        let applied = p.applied.iter().any(|f| *f != [0.0; 2]);
+        if self.model.gravity.is_none() && !applied {
+            return;
+        }
+        for k in 0..p.len() {
+            let (x, m) = (p.row[k].x, p.mass[k]);
+            let g = match self.model.gravity {
+                None => [0.0; 2],
+                Some(Gravity::Uniform(g)) => g,
+                Some(Gravity::Centripetal { towards, g }) => {
+                    let d = [
+                        towards[0] - self.origin[0] - x[0],
+                        towards[1] - self.origin[1] - x[1],
+                    ];
+                    let distance = (d[0] * d[0] + d[1] * d[1]).sqrt();
+                    if distance > 0.0 {
+                        d.map(|d| g * d / distance)
+                    } else {
+                        [0.0; 2]
+                    }
+                }
+            };
+            p.body
+                .push([m * g[0] + p.applied[k][0], m * g[1] + p.applied[k][1]]);
+        }
+    }
+
+    pub(super) fn join_walls(&mut self) {
+        let reach = self.joint_reach();
+        Wall::join(&mut self.walls, reach);
+    }
+
+    /// Ends nearer than this count as one point [m].
+    pub(super) fn joint_reach(&self) -> f64 {
+        1e-6 * self.particles.smallest_radius().min(self.size)
+    }
+
+    /// Thickness of the assembly [m]: 1 for discs, the mean diameter for spheres.
+    pub fn thickness(&self) -> f64 {
+        match self.model.body {
+            Body::Disc => 1.0,
+            Body::Sphere => {
+                let sum: f64 = self.particles.row.iter().map(|row| row.radius).sum();
+                2.0 * sum / self.particles.len() as f64
+            }
+        }
+    }
+}
+
+/// Far from zero, coordinates lose the digits that overlaps need: a scene that lies further away
+/// than sixteen times its size is moved to the origin, exactly, by a multiple of a power of two.
+fn far_origin(particles: &[ParticleSetup]) -> [f64; 2] {
+    let mut origin = [0.0; 2];
+    for (axis, origin) in origin.iter_mut().enumerate() {
+        let low = particles
+            .iter()
+            .fold(f64::INFINITY, |m, p| m.min(p.at[axis] - p.radius));
+        let high = particles
+            .iter()
+            .fold(f64::NEG_INFINITY, |m, p| m.max(p.at[axis] + p.radius));
+        let (middle, size) = (0.5 * (low + high), high - low);
+        if middle.abs() > 16.0 * size && size > 0.0 {
+            let mut grain = 1.0f64;
+            while grain > size {
+                grain *= 0.5;
+            }
+            while grain < 0.5 * size {
+                grain *= 2.0;
+            }
+            *origin = (middle / grain).round() * grain;
+        }
+    }
+    origin
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(x: f64, y: f64) -> ParticleSetup {
+        ParticleSetup {
+            at: [x, y],
+            radius: 0.5,
+            material: 0,
+            velocity: [0.0; 2],
+            spin: 0.0,
+            angle: 0.0,
+            force: [0.0; 2],
+            fixed: [false; 3],
+        }
+    }
+
+    #[test]
+    fn far_scenes_move_exactly() {
+        assert_eq!(far_origin(&[at(0.3, 0.0), at(1.2, 0.0)]), [0.0, 0.0]);
+        let near = [0.3, 1.2];
+        let shift = 1_048_576.0;
+        let far = near.map(|x: f64| x + shift);
+        let [origin, _] = far_origin(&[at(far[0], 0.0), at(far[1], 0.0)]);
+        assert!(origin > 0.0);
+        // Nothing of the given coordinate is lost: adding the origin restores its bits.
+        for x in far {
+            assert_eq!((x - origin) + origin, x);
+            assert_eq!((x - origin) - (x - shift), shift - origin);
+        }
+    }
+}
