@@ -276,7 +276,7 @@ mod tests {
                 .collect::<Vec<String>>()
         };
         let (same, end) = (names(&["kinetic"]), text.len() as u64);
-        let after = |what| (text.find(what).unwrap() + what.len()) as u64;
+        let after = |what: &str| (text.find(what).unwrap() + what.len()) as u64;
         let (inside, row) = (after("\"a\n"), after("1.5\n"));
         for (columns, position, hint) in [
             (

@@ -8,7 +8,8 @@
 pub mod checkpoint;
 pub mod error;
 pub mod history;
-
+pub mod interrupt;
+pub mod journal;
 pub mod number;
 pub mod whole_file;
 mod whole_lines;

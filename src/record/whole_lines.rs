@@ -37,21 +37,21 @@ impl WholeLines {
     pub(super) fn create(path: &Path) -> Result<Self, RecordError> {
         let file =
             File::create(path).map_err(|error| RecordError::new(path, Attempt::Create, error))?;
-        Self::on_file(file, path, 0)
+        Ok(Self::on(Box::new(Disk::new(file, path)?), path, 0))
     }
 
-    /// An existing file, shortened to `length` bytes.
+    /// An existing file, shortened to `length` bytes unless it is a device.
     pub(super) fn reopen(path: &Path, length: u64) -> Result<Self, RecordError> {
         let file = OpenOptions::new()
             .write(true)
             .open(path)
             .map_err(|error| RecordError::new(path, Attempt::Open, error))?;
-        let mut lines = Self::on_file(file, path, length)?;
-        lines
-            .medium
-            .cut(length)
-            .map_err(|error| RecordError::new(path, Attempt::Cut, error))?;
-        Ok(lines)
+        let mut disk = Disk::new(file, path)?;
+        if disk.regular {
+            disk.cut(length)
+                .map_err(|error| RecordError::new(path, Attempt::Cut, error))?;
+        }
+        Ok(Self::on(Box::new(disk), path, length))
     }
 
     /// Standard output.
@@ -68,19 +68,6 @@ impl WholeLines {
             waiting: Vec::new(),
             ends: Vec::new(),
         }
-    }
-
-    fn on_file(file: File, path: &Path, length: u64) -> Result<Self, RecordError> {
-        let regular = file
-            .metadata()
-            .map_err(|error| RecordError::new(path, Attempt::Open, error))?
-            .is_file();
-        let medium = Disk {
-            file,
-            regular,
-            unsynced_name: Some(path.to_path_buf()),
-        };
-        Ok(Self::on(Box::new(medium), path, length))
     }
 
     /// Takes one line, its line end included.
@@ -155,6 +142,20 @@ struct Disk {
     regular: bool,
     /// The path, until its folder has been synced once.
     unsynced_name: Option<PathBuf>,
+}
+
+impl Disk {
+    fn new(file: File, path: &Path) -> Result<Self, RecordError> {
+        let regular = file
+            .metadata()
+            .map_err(|error| RecordError::new(path, Attempt::Open, error))?
+            .is_file();
+        Ok(Self {
+            file,
+            regular,
+            unsynced_name: Some(path.to_path_buf()),
+        })
+    }
 }
 
 impl Write for Disk {
