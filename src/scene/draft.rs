@@ -9,7 +9,7 @@ use super::problem::{Problem, Report};
 use super::stage::Stage;
 use super::{about::About, reader::Reader};
 use crate::engine::setup::{Body, Damping, LawChoice, NormalForm, Setup, TimeStepChoice};
-use crate::language::Mistake;
+use crate::language::{Command, Known, Mistake};
 use crate::measure::columns::{Column, Names, nearest};
 
 /// The scene so far. A table in which something is wrong is kept with what could be read, so that
@@ -31,8 +31,10 @@ pub(crate) struct Draft<'a> {
     pub(crate) stages: Vec<(Stage, Place)>,
     /// `[[expect]]`.
     pub(crate) expects: Vec<Expect>,
-    /// Walls and particles that can be named; grows with the commands of the stages.
-    pub(crate) names: Names,
+    /// What commands may name; follows the commands of the stages.
+    pub(crate) known: Known,
+    /// Every wall and particle that is there at some time: columns may name them all.
+    pub(crate) ever: Names,
     /// Where the law and the time step were chosen.
     pub(crate) model: Mark,
     /// Where each material was written.
@@ -81,7 +83,8 @@ impl<'a> Draft<'a> {
             check_every: None,
             stages: Vec::new(),
             expects: Vec::new(),
-            names: Names::default(),
+            known: Known::default(),
+            ever: Names::default(),
             model: Mark {
                 place: Place::new(0, 0..0),
                 sound: false,
@@ -113,20 +116,49 @@ impl<'a> Draft<'a> {
     /// Reports a column that names what is not there.
     pub(crate) fn check_column(&self, column: &Column, text: &str, place: Place) {
         let checked = column
-            .check(&self.names)
+            .check(&self.ever)
             .map_err(|unknown| Mistake::new(unknown.message, unknown.remedy, 0..text.len()));
         phrase::accept(self.report, checked, text, place);
     }
 
-    /// Reports a name that cannot be used in columns and commands.
+    /// Reports a command that names what is not there; else what it makes is there from now on.
+    pub(crate) fn follow(&mut self, command: &Command, text: &str, place: Place) {
+        let checked = self.known.check(command, text);
+        phrase::accept(self.report, checked, text, place);
+        self.known.follow(command);
+        let Known { names, .. } = &self.known;
+        match command {
+            Command::Create(_) => self.ever.particles.extend(names.particles.last()),
+            Command::Wall(name, _) if !self.ever.walls.contains(name) => {
+                self.ever.walls.push(name.clone());
+            }
+            _ => {}
+        }
+    }
+
+    /// Reports a name that commands and --set could not spell without quotes.
     pub(crate) fn check_name(&self, name: &str, place: Place) {
-        if crate::language::name::is_name(name) {
+        let mut letters = name.chars();
+        let first = letters.next().is_some_and(char::is_alphabetic);
+        if first && letters.all(|c| c.is_alphanumeric() || c == '_' || c == '-') {
             return;
         }
         self.report.add(
             Problem::new(format!("{} cannot be a name", quoted(name)), place)
+                .expected("expected a letter, then letters, digits, `_` and `-`")
+                .remedy("rename it: commands and --set spell it without quotes"),
+        );
+    }
+
+    /// Reports a name that could not stand in `wall:NAME:f1` within an expression.
+    pub(crate) fn check_wall_name(&self, name: &str, place: Place) {
+        if crate::language::name::is_name(name) {
+            return;
+        }
+        self.report.add(
+            Problem::new(format!("{} cannot name a wall", quoted(name)), place)
                 .expected("expected a letter, then letters, digits and `_`")
-                .remedy("rename it: columns, commands and --set spell it without quotes"),
+                .remedy("rename it: `wall:NAME:f1` stands in expressions"),
         );
     }
 

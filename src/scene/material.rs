@@ -2,7 +2,6 @@
 
 use super::draft::{Draft, Mark};
 use super::key::{Absent, Bounds, Form, Key};
-use super::place::Place;
 use super::reader::Reader;
 use super::section::{Section, Shape};
 use crate::engine::setup::Material;
@@ -121,8 +120,9 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
         shear_stiffness: reader.number("shear_stiffness"),
         rigid: rigid.unwrap_or_default(),
     });
+    draft.known.materials.push(entry.key.clone());
     draft.materials.push(Mark {
-        place: Place { ..entry.place },
+        place: entry.place,
         // A stiffness that could not be read is not missing.
         sound: reader.is_sound(),
     });

@@ -135,7 +135,8 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
         fixed,
     });
     let number = draft.setup.particles.len() as u32;
-    draft.names.particles.push(number);
+    draft.known.names.particles.push(number);
+    draft.ever.particles.push(number);
     draft.particles.push(Mark {
         place: reader.place_of("at"),
         sound: at.is_some() && radius.is_some() && material.is_some() && reader.is_sound(),

@@ -4,6 +4,8 @@ use super::draft::Draft;
 use super::place::Place;
 use super::problem::Problem;
 use crate::engine::setup::{LawChoice, Material, TimeStepChoice};
+use crate::language::Command;
+use crate::language::command::{FrictionOf, Property};
 
 /// Reports materials that lack what is asked of them.
 pub(crate) fn check(draft: &Draft<'_>) {
@@ -63,12 +65,44 @@ impl Lacks<'_, '_> {
                 && pair.shear_stiffness.is_none()
                 && (pair.friction > Some(0.0) || pair.cohesion > Some(0.0))
         });
-        if material.shear_stiffness.is_none()
-            && (material.friction > 0.0 || material.cohesion > 0.0 || by_pair)
-        {
+        if material.shear_stiffness.is_some() {
+            return;
+        }
+        if material.friction > 0.0 || material.cohesion > 0.0 || by_pair {
             let why = "the linear law with friction or cohesion";
             self.report("shear_stiffness", "N/m", why, None);
+        } else if let Some(stage) = self.rubs_in() {
+            let why = format!("friction or cohesion in stage `{stage}`");
+            self.report("shear_stiffness", "N/m", &why, None);
         }
+    }
+
+    /// The stage whose commands give friction or cohesion to the material, unless commands before
+    /// have given it a shear stiffness.
+    fn rubs_in(&self) -> Option<&str> {
+        let own = &self.material.name;
+        for (stage, _) in &self.draft.stages {
+            for command in &stage.commands {
+                match command {
+                    Command::Property(name, Property::ShearStiffness, _) if name == own => {
+                        return None;
+                    }
+                    Command::Property(name, Property::Friction | Property::Cohesion, value)
+                        if name == own && *value > 0.0 =>
+                    {
+                        return Some(&stage.name);
+                    }
+                    Command::Friction(value, of) if *value > 0.0 => match of {
+                        FrictionOf::Everything | FrictionOf::Wall(_) => return Some(&stage.name),
+                        FrictionOf::Material(name) if name == own => return Some(&stage.name),
+                        FrictionOf::Pair(a, b) if a == own || b == own => return Some(&stage.name),
+                        FrictionOf::Material(_) | FrictionOf::Pair(..) => {}
+                    },
+                    _ => {}
+                }
+            }
+        }
+        None
     }
 
     fn time_step(&self) {

@@ -5,7 +5,7 @@ use super::key::{Absent, COUNT_MAX, Form, Key};
 use super::phrase;
 use super::reader::Reader;
 use super::section::{Section, Shape};
-use crate::language::{Command, Expression};
+use crate::language::{Command, Expression, Mistake};
 
 /// One stage of a run.
 #[derive(Debug, Clone, PartialEq)]
@@ -82,15 +82,16 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
     }
     let mut commands = Vec::new();
     for (text, place) in reader.texts("do").unwrap_or_default() {
-        let parsed = Command::parse(text);
+        let parsed = Command::parse(text).and_then(|command| belongs(command, text));
         if let Some(command) = phrase::accept(reader.report, parsed, text, place) {
+            draft.follow(&command, text, place);
             commands.push(command);
         }
     }
     let until = reader.text("until").and_then(|(text, place)| {
         let parsed = Expression::parse_condition(text);
         let until = phrase::accept(reader.report, parsed, text, place)?;
-        let checked = until.check(&draft.names);
+        let checked = until.check(&draft.known.names);
         phrase::accept(reader.report, checked, text, place).map(|()| until)
     });
     if ["do", "until", "max_cycles"]
@@ -113,4 +114,21 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
     };
     let place = name.map_or(reader.place, |(_, place)| place);
     draft.stages.push((stage, place));
+}
+
+/// A run is what its preset says: a stage neither waits for a person nor touches files.
+fn belongs(command: Command, text: &str) -> Result<Command, Mistake> {
+    let why = match &command {
+        Command::Go | Command::Pause | Command::Quit { .. } | Command::Help(_) => {
+            "stages run by themselves: `until` and `max_cycles` say how long"
+        }
+        Command::Save(_) | Command::Restore(_) | Command::Source(_) | Command::Journal(_) => {
+            "put the commands themselves here; files are named on the command line"
+        }
+        Command::ExportCsv(_) => "`ballast run PRESET --csv FILE` writes the history",
+        _ => return Ok(command),
+    };
+    let verb = command.card().name;
+    let message = format!("`{verb}` has no place in a preset");
+    Err(Mistake::new(message, why, 0..text.len()))
 }

@@ -100,7 +100,7 @@ struct Course {
 fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
     let name = reader.text("name");
     if let Some((name, place)) = name {
-        draft.check_name(name, place);
+        draft.check_wall_name(name, place);
         let taken = draft.setup.walls.iter().map(|wall| wall.name.as_str());
         let places = draft.walls.iter().map(|mark| mark.place);
         draft.check_unique(name, place, taken.zip(places));
@@ -119,7 +119,8 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
         h2: 0.0,
     });
     let name = name.map_or_else(String::new, |(name, _)| name.to_owned());
-    draft.names.walls.push(name.clone());
+    draft.known.names.walls.push(name.clone());
+    draft.ever.walls.push(name.clone());
     draft.setup.walls.push(WallSetup {
         name,
         material: material.unwrap_or_default(),
