@@ -1,1 +1,195 @@
-//! scene.
+//! Presets: from a TOML text to a [`Scene`] in which everything is known to be there and in range.
+//!
+//! A preset is read whole before anything runs or any file is created, and what is wrong with it
+//! comes back as one [`Rejection`] that shows each line, says what was expected and what to do.
+//!
+//! Adding a table: a file with its keys and its reading, a line in [`SECTIONS`], and a field in
+//! the draft that holds the result. Unknown keys, near names, `--set` and the reference follow.
+
+pub mod catalogue;
+
+mod about;
+mod damping;
+mod document;
+mod draft;
+mod expect;
+mod file;
+mod gravity;
+mod history;
+mod key;
+mod material;
+mod model;
+mod overlap;
+mod overrides;
+mod pair;
+mod particle;
+mod phrase;
+mod place;
+mod problem;
+mod reader;
+mod reference;
+mod rejection;
+mod requirements;
+mod section;
+mod stage;
+mod wall;
+
+use std::path::{Path, PathBuf};
+
+pub use about::About;
+pub use expect::{Band, Differs, Expect};
+pub use history::History;
+pub use reference::reference_table;
+pub use rejection::Rejection;
+pub use stage::Stage;
+
+use crate::engine::setup::Setup;
+use crate::measure::columns::Column;
+use draft::Draft;
+use place::Source;
+use problem::Report;
+use section::Section;
+
+/// The tables of a preset, in the order they are read: later ones name what earlier ones declare.
+const SECTIONS: &[Section] = &[
+    about::SECTION,
+    model::SECTION,
+    damping::SECTION,
+    material::SECTION,
+    pair::SECTION,
+    particle::SECTION,
+    wall::SECTION,
+    stage::SECTION,
+    history::SECTION,
+    expect::SECTION,
+];
+
+/// A preset that has been read and checked.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene {
+    /// Name of the embedded preset, or of the file without its ending.
+    pub name: String,
+    /// Where the text comes from.
+    pub origin: Origin,
+    /// The preset as written.
+    pub text: String,
+    /// Options `--set`, as written.
+    pub overrides: Vec<String>,
+    /// What the preset says about itself.
+    pub about: About,
+    /// What the world is built from.
+    pub setup: Setup,
+    /// What is recorded.
+    pub history: History,
+    /// What is done, in order.
+    pub stages: Vec<Stage>,
+    /// What must come out.
+    pub expects: Vec<Expect>,
+    /// Seed of everything random.
+    pub seed: u64,
+    /// Conditions that read columns are tested every so many cycles; `None`: as `history.every`.
+    pub check_every: Option<u64>,
+}
+
+/// Where the text of a scene comes from.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Origin {
+    /// A preset that is part of the program, by name.
+    Embedded(String),
+    /// A file.
+    File(PathBuf),
+    /// A text handed over by the program itself, such as the one in a checkpoint.
+    Text,
+}
+
+impl Scene {
+    /// Reads a preset by the name of an embedded one or by its path, and applies overrides.
+    pub fn load(path_or_name: &str, overrides: &[String]) -> Result<Self, Rejection> {
+        let (origin, text) = file::open(path_or_name)?;
+        let name = Path::new(path_or_name)
+            .file_stem()
+            .map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+        let scene = Self::read(&name, path_or_name, text, overrides)?;
+        Ok(Self { origin, ..scene })
+    }
+
+    /// Reads the text of a preset and applies overrides.
+    pub fn parse(name: &str, text: &str, overrides: &[String]) -> Result<Self, Rejection> {
+        Self::read(name, name, text.to_owned(), overrides)
+    }
+
+    fn read(
+        name: &str,
+        title: &str,
+        text: String,
+        overrides: &[String],
+    ) -> Result<Self, Rejection> {
+        // Editors of other systems put a byte order mark in front.
+        let bare = text.strip_prefix('\u{feff}').map(str::to_owned);
+        let source = Source {
+            title: title.to_owned(),
+            text: bare.unwrap_or(text),
+        };
+        if let Some(problem) = file::check_text(&source.text) {
+            return Err(Rejection::one(source, problem));
+        }
+        let mut document = match document::read(&source) {
+            Ok(document) => document,
+            Err(problem) => return Err(Rejection::one(source, problem)),
+        };
+        let mut sources = vec![source];
+        sources.extend(overrides.iter().map(|text| Source {
+            title: "--set".to_owned(),
+            text: text.clone(),
+        }));
+        let report = Report::new(sources);
+        for (index, source) in report.sources.iter().enumerate().skip(1) {
+            if let Err(problem) = overrides::apply(&mut document, source, index) {
+                report.add(problem);
+            }
+        }
+        let draft = section::read_all(&document, &report);
+        requirements::check(&draft);
+        overlap::check(&draft);
+        if report.count() > 0 {
+            drop(draft);
+            return Err(Rejection::all(report));
+        }
+        let text = report.sources[0].text.clone();
+        Ok(Self::finished(name, text, overrides, draft))
+    }
+
+    fn finished(name: &str, text: String, overrides: &[String], draft: Draft<'_>) -> Self {
+        let stages: Vec<Stage> = draft.stages.into_iter().map(|(stage, _)| stage).collect();
+        let conditions = stages.iter().filter_map(|stage| stage.until.as_ref());
+        let ledger = draft
+            .history
+            .columns
+            .iter()
+            .cloned()
+            .chain(conditions.flat_map(crate::language::Expression::columns))
+            .chain(
+                draft
+                    .expects
+                    .iter()
+                    .flat_map(|expect| expect.what.columns()),
+            )
+            .any(|column: Column| column.card().ledger);
+        Self {
+            name: name.to_owned(),
+            origin: Origin::Text,
+            text,
+            overrides: overrides.to_vec(),
+            about: draft.about,
+            setup: Setup {
+                ledger,
+                ..draft.setup
+            },
+            check_every: draft.check_every,
+            history: draft.history,
+            stages,
+            expects: draft.expects,
+            seed: draft.seed,
+        }
+    }
+}

@@ -1,0 +1,208 @@
+//! A command as data, and its canonical line.
+
+use super::list::{COMMANDS, Card};
+use super::mistake::Mistake;
+use super::words::{Words, quoted};
+use crate::engine::setup::Gravity;
+use crate::language::number::format as number;
+use crate::measure::columns::Partner;
+use std::fmt;
+use std::str::FromStr;
+
+pub use super::verbs::create::Create;
+pub use super::verbs::damp::Damper;
+pub use super::verbs::delete::ParticleRange;
+pub use super::verbs::friction::FrictionOf;
+pub use super::verbs::history::HistoryChange;
+pub use super::verbs::particle::ParticleChange;
+pub use super::verbs::print::Printout;
+pub use super::verbs::property::Property;
+pub use super::verbs::solve::{Goal, Solve};
+pub use super::verbs::wall::WallChange;
+
+/// Everything that can be asked of a session.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Command {
+    /// Adds a particle.
+    Create(Create),
+    /// Removes particles.
+    Delete(ParticleRange),
+    /// Changes the wall of this name.
+    Wall(String, WallChange),
+    /// Changes the particle of this number.
+    Particle(u32, ParticleChange),
+    /// Sets a property of the material of this name, in the unit of the property.
+    Property(String, Property, f64),
+    /// Sets the friction coefficient [-] of something.
+    Friction(f64, FrictionOf),
+    /// Sets FRAC, the multiple of the reference time step [-].
+    Frac(f64),
+    /// Sets a kind of damping, in the unit of that kind.
+    Damp(Damper, f64),
+    /// Sets the factor on the velocities in each cycle [-].
+    Con1(f64),
+    /// Sets the body force; `None` switches it off.
+    Gravity(Option<Gravity>),
+    /// Lets particles turn or not.
+    Rotation(bool),
+    /// Stops all motion.
+    Zero,
+    /// Measures state differences from now.
+    Reference,
+    /// Runs so many cycles.
+    Cycle(u64),
+    /// Runs until something holds.
+    Solve(Solve),
+    /// Runs so many cycles and shows each.
+    Step(u64),
+    /// Runs on.
+    Go,
+    /// Stops running.
+    Pause,
+    /// Shows tables.
+    Print(Printout),
+    /// Shows a contact: the lower particle number and its partner.
+    InspectContact(u32, Partner),
+    /// Shows or changes what is recorded.
+    History(HistoryChange),
+    /// Writes a checkpoint to this file.
+    Save(String),
+    /// Reads the checkpoint in this file.
+    Restore(String),
+    /// Writes the history to this file as CSV.
+    ExportCsv(String),
+    /// Writes the commands so far to this file.
+    Journal(String),
+    /// Executes the commands in this file.
+    Source(String),
+    /// Shows all commands, or the page of one.
+    Help(Option<&'static str>),
+    /// Ends the session.
+    Quit {
+        /// Without asking whether to save.
+        anyway: bool,
+    },
+}
+
+impl Command {
+    /// Reads a line: verb and keywords in any case, shortened as long as they stay unambiguous,
+    /// with an optional comment after `#`.
+    pub fn parse(line: &str) -> Result<Self, Mistake> {
+        let mut words = Words::new(line)?;
+        let card = words.card()?;
+        let command = (card.parse)(&mut words)?;
+        words.end()?;
+        Ok(command)
+    }
+
+    /// The row of the list it belongs to.
+    pub fn card(&self) -> &'static Card {
+        let verb = self.verb();
+        COMMANDS
+            .iter()
+            .find(|card| card.name == verb)
+            .expect("every verb is in the list, a test walks through them")
+    }
+
+    /// Whether it changes the world itself, rather than running, showing or keeping it.
+    pub fn changes_world(&self) -> bool {
+        self.card().changes_world
+    }
+
+    /// Whether cycles run because of it.
+    pub fn runs_cycles(&self) -> bool {
+        matches!(
+            self,
+            Self::Cycle(_) | Self::Solve(_) | Self::Step(_) | Self::Go
+        )
+    }
+
+    fn verb(&self) -> &'static str {
+        match self {
+            Self::Create(_) => "create",
+            Self::Delete(_) => "delete",
+            Self::Wall(..) => "wall",
+            Self::Particle(..) => "particle",
+            Self::Property(..) => "property",
+            Self::Friction(..) => "friction",
+            Self::Frac(_) => "frac",
+            Self::Damp(..) => "damp",
+            Self::Con1(_) => "con1",
+            Self::Gravity(_) => "gravity",
+            Self::Rotation(_) => "rotation",
+            Self::Zero => "zero",
+            Self::Reference => "reference",
+            Self::Cycle(_) => "cycle",
+            Self::Solve(_) => "solve",
+            Self::Step(_) => "step",
+            Self::Go => "go",
+            Self::Pause => "pause",
+            Self::Print(_) => "print",
+            Self::InspectContact(..) => "inspect",
+            Self::History(_) => "history",
+            Self::Save(_) => "save",
+            Self::Restore(_) => "restore",
+            Self::ExportCsv(_) => "export",
+            Self::Journal(_) => "journal",
+            Self::Source(_) => "source",
+            Self::Help(_) => "help",
+            Self::Quit { .. } => "quit",
+        }
+    }
+}
+
+/// The canonical line: it reads back as an equal command.
+impl fmt::Display for Command {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.verb())?;
+        match self {
+            Self::Create(create) => write!(f, " {create}"),
+            Self::Delete(range) => write!(f, " {range}"),
+            Self::Wall(name, change) => write!(f, " {name} {change}"),
+            Self::Particle(id, change) => write!(f, " {id} {change}"),
+            Self::Property(material, key, value) => {
+                write!(f, " {} {key} {}", quoted(material), number(*value))
+            }
+            Self::Friction(value, of) => write!(f, " {}{of}", number(*value)),
+            Self::Frac(value) | Self::Con1(value) => write!(f, " {}", number(*value)),
+            Self::Damp(damper, value) => write!(f, " {damper} {}", number(*value)),
+            Self::Gravity(None) => f.write_str(" none"),
+            Self::Gravity(Some(Gravity::Uniform(g))) => write!(f, " {}", vector(*g)),
+            Self::Gravity(Some(Gravity::Centripetal { towards, g })) => {
+                write!(f, " towards {} {}", vector(*towards), number(*g))
+            }
+            Self::Rotation(on) => f.write_str(if *on { " on" } else { " off" }),
+            Self::Cycle(count) | Self::Step(count) => write!(f, " {count}"),
+            Self::Solve(solve) => write!(f, "{solve}"),
+            Self::Print(what) => write!(f, " {what}"),
+            Self::InspectContact(i, Partner::Particle(j)) => write!(f, " contact {i}-{j}"),
+            Self::InspectContact(i, Partner::Wall(wall)) => write!(f, " contact {i}-{wall}"),
+            Self::History(change) => write!(f, "{change}"),
+            Self::ExportCsv(file) => write!(f, " csv {}", quoted(file)),
+            Self::Save(file) | Self::Restore(file) | Self::Journal(file) | Self::Source(file) => {
+                write!(f, " {}", quoted(file))
+            }
+            Self::Help(Some(verb)) => write!(f, " {verb}"),
+            Self::Quit { anyway: true } => f.write_str("!"),
+            Self::Quit { anyway: false }
+            | Self::Help(None)
+            | Self::Zero
+            | Self::Reference
+            | Self::Go
+            | Self::Pause => Ok(()),
+        }
+    }
+}
+
+impl FromStr for Command {
+    type Err = Mistake;
+
+    fn from_str(line: &str) -> Result<Self, Mistake> {
+        Self::parse(line)
+    }
+}
+
+/// Two numbers as a line holds them.
+pub(crate) fn vector(v: [f64; 2]) -> String {
+    format!("{} {}", number(v[0]), number(v[1]))
+}

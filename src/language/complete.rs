@@ -1,0 +1,146 @@
+//! What a half-typed line could go on with.
+//!
+//! The line up to the half-typed word is read by the ordinary rules, which note what they would
+//! accept where it ends. There is no second grammar to keep in step.
+
+use super::known::Known;
+use super::list::COMMANDS;
+use super::words::{Wanted, Words, quoted};
+use crate::measure::columns::{COLUMNS, WALL_COLUMNS};
+
+/// What could replace the end of a line.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Completion {
+    /// The byte at which the half-typed word begins.
+    pub start: usize,
+    /// What it could be, in the order of the lists.
+    pub candidates: Vec<String>,
+}
+
+/// Completes the last word of a line, given up to the cursor.
+pub fn complete(line: &str, known: &Known) -> Completion {
+    let start = line
+        .char_indices()
+        .rev()
+        .take_while(|(_, c)| c.is_alphanumeric() || matches!(c, '_' | ':' | '!' | '?'))
+        .last()
+        .map_or(line.len(), |(at, _)| at);
+    let (head, typed) = line.split_at(start);
+    let Ok(mut words) = Words::new(head) else {
+        return Completion {
+            start,
+            candidates: Vec::new(),
+        };
+    };
+    if let Ok(card) = words.card() {
+        // What is missing at the end is noted on the way, whether it may be missing or not. A line
+        // that is wrong before its end stops the reading, and nothing is noted.
+        let read = (card.parse)(&mut words);
+        if read.is_ok() && words.end().is_err() {
+            return Completion {
+                start,
+                candidates: Vec::new(),
+            };
+        }
+    }
+    let lower = typed.to_lowercase();
+    let mut candidates: Vec<String> = Vec::new();
+    for wanted in words.wanted() {
+        for candidate in all(wanted, known) {
+            let fits = candidate.to_lowercase().starts_with(&lower);
+            if fits && !candidates.contains(&candidate) {
+                candidates.push(candidate);
+            }
+        }
+    }
+    Completion { start, candidates }
+}
+
+fn all(wanted: Wanted, known: &Known) -> Vec<String> {
+    match wanted {
+        Wanted::Verb => COMMANDS.iter().map(|card| card.name.to_owned()).collect(),
+        Wanted::Keyword(word) => vec![word.to_owned()],
+        Wanted::Wall => known.names.walls.clone(),
+        Wanted::Material => {
+            let names = known.materials.iter();
+            names.map(|name| quoted(name).into_owned()).collect()
+        }
+        Wanted::Column => {
+            let global = COLUMNS.iter().map(|card| card.name.to_owned());
+            let walls = known.names.walls.iter().flat_map(|wall| {
+                WALL_COLUMNS
+                    .iter()
+                    .map(move |card| format!("wall:{wall}:{}", card.name))
+            });
+            global.chain(walls).collect()
+        }
+        Wanted::Variable => ["cycle", "time", "stage_cycle"].map(String::from).into(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::measure::columns::Names;
+
+    fn completed(line: &str) -> Vec<String> {
+        let known = Known {
+            names: Names {
+                walls: vec!["left".into(), "floor".into()],
+                particles: vec![1],
+            },
+            materials: vec!["glass".into(), "soft clay".into()],
+        };
+        complete(line, &known).candidates
+    }
+
+    #[test]
+    fn every_place_has_its_own_words() {
+        for (line, expected) in [
+            ("cr", vec!["create"]),
+            ("PA", vec!["particle", "pause"]),
+            ("wall ", vec!["left", "floor"]),
+            ("wall f", vec!["floor"]),
+            ("wall left ", vec!["velocity", "spin", "from", "delete"]),
+            ("wall left from 0 0 to 1 1 m", vec!["material"]),
+            ("property g", vec!["glass"]),
+            ("friction 0.3 pair glass ", vec!["glass", "\"soft clay\""]),
+            (
+                "create at 0 0 radius 1 spin 3 ",
+                vec!["material", "velocity"],
+            ),
+            ("gravity to", vec!["towards"]),
+            ("help so", vec!["solve", "source"]),
+            (
+                "history columns kinetic,wall:l",
+                vec![
+                    "wall:left:f1",
+                    "wall:left:f2",
+                    "wall:left:moment",
+                    "wall:left:eccentricity",
+                ],
+            ),
+            ("solve until abs(stage", vec!["stage_cycle"]),
+            ("solve until cycle > 3 ", vec!["and", "or", "max"]),
+            (
+                "solve until cycle > 3 and coordination_",
+                vec!["coordination_mechanical"],
+            ),
+            ("print contacts 1-9 ", vec![]),
+            ("cycle 1000", vec![]),
+            ("nonsense ", vec![]),
+            ("wall left sideways ", vec![]),
+            ("go now ", vec![]),
+            ("save \"half", vec![]),
+        ] {
+            assert_eq!(completed(line), expected, "{line}");
+        }
+    }
+
+    #[test]
+    fn the_half_typed_word_is_what_gets_replaced() {
+        let known = Known::default();
+        assert_eq!(complete("solve until (kin", &known).start, 13);
+        assert_eq!(complete("", &known).candidates.len(), COMMANDS.len());
+    }
+}

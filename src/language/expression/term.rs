@@ -1,0 +1,105 @@
+//! The variables of an expression over one row.
+
+use super::meaning::{Leaf, arguments_expected};
+use super::syntax::{Form, Syntax};
+use crate::language::mistake::{Mistake, near, shown};
+use crate::language::name::numeric_column;
+use crate::measure::columns::{COLUMNS, Column};
+use std::fmt;
+use std::ops::Range;
+
+/// Functions that run over rows, and so belong to expectations.
+pub(super) const AGGREGATES: [&str; 5] = ["last", "max", "min", "mean", "at"];
+
+/// A variable.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub enum Term {
+    /// A column of the history, in the column's unit.
+    Column(Column),
+    /// Cycles since the start of the run.
+    Cycle,
+    /// Simulated time [s].
+    Time,
+    /// Cycles since the stage was entered.
+    StageCycle,
+}
+
+impl fmt::Display for Term {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Column(column) => f.write_str(&column.name()),
+            Self::Cycle => f.write_str("cycle"),
+            Self::Time => f.write_str("time"),
+            Self::StageCycle => f.write_str("stage_cycle"),
+        }
+    }
+}
+
+/// Columns and where the text names them.
+pub(super) type Places = Vec<(Column, Range<usize>)>;
+
+/// Reads variables, and notes where columns stand.
+pub(super) fn term(
+    syntax: &Syntax,
+    inside: &str,
+    places: &mut Places,
+) -> Result<Option<Term>, Mistake> {
+    match &syntax.form {
+        Form::Name(name) => named(name, syntax.span.clone(), places).map(Some),
+        Form::Call(function, arguments) => match (function.as_str(), arguments.len()) {
+            (name @ ("min" | "max"), 1) if inside.is_empty() => {
+                Err(arguments_expected(syntax, name, "two values", 1))
+            }
+            ("min" | "max", 1) | ("last" | "mean" | "at", _) => {
+                let (message, remedy) = if inside.is_empty() {
+                    (
+                        format!("`{function}` looks at all rows, and here there is only one"),
+                        "it belongs to the `what` of an [[expect]]".to_owned(),
+                    )
+                } else {
+                    (
+                        format!("`{function}` cannot stand inside `{inside}`"),
+                        "both run over all rows: compute with their results".to_owned(),
+                    )
+                };
+                Err(Mistake::new(message, remedy, syntax.span.clone()))
+            }
+            _ => Ok(None),
+        },
+        _ => Ok(None),
+    }
+}
+
+fn named(name: &str, span: Range<usize>, places: &mut Places) -> Result<Term, Mistake> {
+    match name.to_ascii_lowercase().as_str() {
+        "cycle" => return Ok(Term::Cycle),
+        "time" => return Ok(Term::Time),
+        "stage_cycle" => return Ok(Term::StageCycle),
+        bare @ ("abs" | "min" | "max" | "last" | "mean" | "at") => {
+            let message = format!("`{bare}` is a function");
+            let remedy = format!("write what it applies to: {bare}(...)");
+            return Err(Mistake::new(message, remedy, span));
+        }
+        _ => {}
+    }
+    let column = numeric_column(name, span.clone()).map_err(|mistake| {
+        // The list of columns does not know the variables.
+        let variables = ["cycle", "time", "stage_cycle"];
+        let all = COLUMNS.iter().map(|card| card.name).chain(variables);
+        match near(name, all).filter(|best| variables.contains(best)) {
+            Some(best) => Mistake::new(
+                format!("{} is no column", shown(name)),
+                format!("did you mean `{best}`?"),
+                span.clone(),
+            ),
+            None => mistake,
+        }
+    })?;
+    places.push((column.clone(), span));
+    Ok(Term::Column(column))
+}
+
+/// The reader of terms, as the rules of meaning want it.
+pub(super) fn terms<'a>(inside: &'a str, places: &'a mut Places) -> Box<Leaf<'a, Term>> {
+    Box::new(move |syntax| term(syntax, inside, places))
+}

@@ -1,0 +1,206 @@
+//! What a line can refer to: walls, particles and materials.
+
+use super::command::{Command, Create, FrictionOf, Goal, HistoryChange, WallChange};
+use super::mistake::{Mistake, shown};
+use crate::measure::columns::{Column, Names, Partner, nearest};
+use std::ops::Range;
+
+/// What exists. Commands are checked against it before anything runs, and completions come from it.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Known {
+    /// Walls and particles.
+    pub names: Names,
+    /// Material names in order.
+    pub materials: Vec<String>,
+}
+
+impl Known {
+    /// Whether everything exists that the command of this line refers to.
+    pub fn check(&self, command: &Command, line: &str) -> Result<(), Mistake> {
+        match command {
+            Command::Create(Create { material, .. }) => self.material(material.as_ref(), line),
+            Command::Delete(range) => {
+                self.particle(range.first, line)?;
+                self.particle(range.last, line)
+            }
+            Command::Wall(name, WallChange::Create { material, .. }) => {
+                if self.names.walls.contains(name) {
+                    return Err(Mistake::new(
+                        format!("there is a wall `{name}` already"),
+                        "choose another name or delete it first",
+                        place(line, name),
+                    ));
+                }
+                self.material(material.as_ref(), line)
+            }
+            Command::Wall(name, _) => self.wall(name, line),
+            Command::Particle(id, _) => self.particle(*id, line),
+            Command::Property(material, ..) => self.material(Some(material), line),
+            Command::Friction(_, of) => match of {
+                FrictionOf::Everything => Ok(()),
+                FrictionOf::Material(name) => self.material(Some(name), line),
+                FrictionOf::Wall(name) => self.wall(name, line),
+                FrictionOf::Pair(a, b) => {
+                    self.material(Some(a), line)?;
+                    self.material(Some(b), line)
+                }
+            },
+            Command::Solve(solve) => match &solve.goal {
+                Some(Goal::Until(condition)) => condition.check(&self.names),
+                _ => Ok(()),
+            },
+            Command::InspectContact(id, Partner::Particle(other)) => {
+                self.particle(*id, line)?;
+                self.particle(*other, line)
+            }
+            Command::InspectContact(id, Partner::Wall(name)) => {
+                self.particle(*id, line)?;
+                self.wall(name, line)
+            }
+            Command::History(HistoryChange::Columns(columns)) => {
+                columns.iter().try_for_each(|c| self.column(c, line))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Takes over what the command adds and removes, so that the lines after it can be checked. A
+    /// new particle gets the number after the highest.
+    pub fn follow(&mut self, command: &Command) {
+        match command {
+            Command::Create(_) => {
+                let highest = self.names.particles.last().copied().unwrap_or(0);
+                self.names.particles.extend(highest.checked_add(1));
+            }
+            Command::Delete(range) => self.names.particles.retain(|id| !range.contains(*id)),
+            Command::Wall(name, WallChange::Create { .. }) => self.names.walls.push(name.clone()),
+            Command::Wall(name, WallChange::Delete) => self.names.walls.retain(|w| w != name),
+            _ => {}
+        }
+    }
+
+    fn material(&self, name: Option<&String>, line: &str) -> Result<(), Mistake> {
+        match name {
+            Some(name) if !self.materials.contains(name) => Err(Mistake::new(
+                format!("there is no material {}", shown(name)),
+                nearest(name, self.materials.iter().map(String::as_str)),
+                place(line, name),
+            )),
+            _ => Ok(()),
+        }
+    }
+
+    fn wall(&self, name: &str, line: &str) -> Result<(), Mistake> {
+        // The column decides, so that both say the same.
+        self.column(&Column::Wall(name.to_owned(), 0), line)
+            .map_err(|mistake| Mistake {
+                span: place(line, name),
+                ..mistake
+            })
+    }
+
+    fn particle(&self, id: u32, line: &str) -> Result<(), Mistake> {
+        self.column(&Column::Particle(id, 0), line)
+            .map_err(|mistake| Mistake {
+                span: place(line, &id.to_string()),
+                ..mistake
+            })
+    }
+
+    fn column(&self, column: &Column, line: &str) -> Result<(), Mistake> {
+        column.check(&self.names).map_err(|unknown| {
+            Mistake::new(unknown.message, unknown.remedy, place(line, &column.name()))
+        })
+    }
+}
+
+/// Where a line names something: the last place, since verbs come first; the whole line if it is
+/// written in another way than its canonical one.
+fn place(line: &str, name: &str) -> Range<usize> {
+    match line.rfind(name) {
+        Some(start) => start..start + name.len(),
+        None => 0..line.len(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn known() -> Known {
+        Known {
+            names: Names {
+                walls: vec!["left".into(), "floor".into()],
+                particles: vec![1, 2, 3],
+            },
+            materials: vec!["glass".into(), "steel".into()],
+        }
+    }
+
+    fn refusal(line: &str) -> String {
+        let mistake = known()
+            .check(&Command::parse(line).unwrap(), line)
+            .unwrap_err();
+        format!("{mistake} @ {}", &line[mistake.span.clone()])
+    }
+
+    #[test]
+    fn what_does_not_exist_is_refused() {
+        for (line, text) in [
+            (
+                "create at 0 0 radius 1 material stel",
+                "there is no material `stel`; did you mean `steel`? @ stel",
+            ),
+            (
+                "wall lfet spin 1",
+                "there is no wall `lfet`; did you mean `left`? @ lfet",
+            ),
+            (
+                "wall left from 0 0 to 1 1",
+                "there is a wall `left` already; choose another name or delete it first @ left",
+            ),
+            (
+                "delete 2-9",
+                "there is no particle 9; they are numbered 1 to 3 @ 9",
+            ),
+            (
+                "solve until contact:1-9:n > 0",
+                "there is no particle 9; they are numbered 1 to 3 @ contact:1-9:n",
+            ),
+            (
+                "history columns kinetic,wall:roof:f1",
+                "there is no wall `roof`; there is left, floor @ wall:roof:f1",
+            ),
+            (
+                "friction 1 pair glass lead",
+                "there is no material `lead`; there is glass, steel @ lead",
+            ),
+            (
+                "inspect contact 1-roof",
+                "there is no wall `roof`; there is left, floor @ roof",
+            ),
+        ] {
+            assert_eq!(refusal(line), text);
+        }
+    }
+
+    #[test]
+    fn later_lines_see_what_earlier_ones_did() {
+        let mut known = known();
+        for line in [
+            "wall lid from 0 0 to 1 0 material glass",
+            "wall lid velocity 0 -1",
+            "wall lid delete",
+            "wall lid from 0 0 to 1 0",
+            "create at 0 0 radius 1",
+            "particle 4 free",
+            "delete 1-3",
+            "delete 4",
+        ] {
+            let command = Command::parse(line).unwrap();
+            assert_eq!(known.check(&command, line), Ok(()), "{line}");
+            known.follow(&command);
+        }
+        assert!(known.names.particles.is_empty());
+    }
+}

@@ -1,0 +1,110 @@
+//! What is wrong with a line or an expression, where, and what would be right.
+
+use std::ops::Range;
+
+/// How much of a wrong word is repeated back: noise must not flood the screen.
+const LONGEST_SHOWN: usize = 40;
+
+/// A text that cannot be understood.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{message}; {remedy}")]
+pub struct Mistake {
+    /// What is wrong.
+    pub message: String,
+    /// What would be right.
+    pub remedy: String,
+    /// The bytes of the text it is about; empty where something is missing.
+    pub span: Range<usize>,
+}
+
+impl Mistake {
+    /// A mistake at these bytes of the text.
+    pub fn new(message: impl Into<String>, remedy: impl Into<String>, span: Range<usize>) -> Self {
+        Self {
+            message: message.into(),
+            remedy: remedy.into(),
+            span,
+        }
+    }
+
+    /// The same mistake in a longer text, of which this one begins at byte `by`.
+    #[must_use]
+    pub fn moved(self, by: usize) -> Self {
+        Self {
+            span: self.span.start + by..self.span.end + by,
+            ..self
+        }
+    }
+}
+
+/// A word in backticks, shortened and without control characters.
+pub(crate) fn shown(word: &str) -> String {
+    let mut letters = word.chars();
+    let mut text: String = letters
+        .by_ref()
+        .take(LONGEST_SHOWN)
+        .map(|c| if c.is_control() { '\u{fffd}' } else { c })
+        .collect();
+    if letters.next().is_some() {
+        text.push_str("...");
+    }
+    format!("`{text}`")
+}
+
+/// The option nearest to a wrong word, if any is near.
+pub(crate) fn near<'a>(wrong: &str, options: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    // A word this long resembles nothing, and comparing it takes time.
+    if wrong.len() > 4 * LONGEST_SHOWN {
+        return None;
+    }
+    let wrong = wrong.to_lowercase();
+    options
+        .map(|option| {
+            let score = strsim::jaro_winkler(&wrong, &option.to_lowercase());
+            (score, option)
+        })
+        .filter(|(score, _)| *score > 0.8)
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, option)| option)
+}
+
+/// "a, b or c".
+pub(crate) fn either(options: &[&str]) -> String {
+    match options {
+        [] => "nothing".into(),
+        [one] => (*one).into(),
+        [most @ .., last] => format!("{} or {last}", most.join(", ")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_and_unprintable_words_are_tamed() {
+        assert_eq!(shown("cyc\u{7}le"), "`cyc\u{fffd}le`");
+        assert_eq!(shown(&"x".repeat(1000)).len(), LONGEST_SHOWN + 5);
+    }
+
+    #[test]
+    fn the_nearest_option_is_found_only_when_it_is_near() {
+        let options = ["velocity", "spin"];
+        assert_eq!(near("velocty", options.into_iter()), Some("velocity"));
+        assert_eq!(near("zzz", options.into_iter()), None);
+        assert_eq!(near(&"velocity".repeat(1000), options.into_iter()), None);
+    }
+
+    #[test]
+    fn options_read_as_a_sentence() {
+        assert_eq!(either(&["on", "off"]), "on or off");
+        assert_eq!(either(&["a", "b", "c"]), "a, b or c");
+    }
+
+    #[test]
+    fn moving_keeps_the_length() {
+        let mistake = Mistake::new("a", "b", 2..5).moved(10);
+        assert_eq!(mistake.span, 12..15);
+        assert_eq!(mistake.to_string(), "a; b");
+    }
+}

@@ -1,0 +1,22 @@
+//! `reference`: remembers the state that differences are measured from.
+
+use crate::language::command::Command;
+use crate::language::list::Card;
+use crate::language::mistake::Mistake;
+use crate::language::words::Words;
+
+/// Row in the list.
+pub const CARD: Card = Card {
+    name: "reference",
+    aliases: &[],
+    usage: "reference",
+    summary: "measures state differences from now on",
+    detail: "Displacements and differences shown later start at 0 here.",
+    examples: &["reference"],
+    parse,
+    changes_world: true,
+};
+
+fn parse(_words: &mut Words<'_>) -> Result<Command, Mistake> {
+    Ok(Command::Reference)
+}

@@ -1,0 +1,178 @@
+//! Signals as a flag: a run looks at it between cycles and ends by itself, with everything saved.
+
+use std::fs;
+use std::io;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
+use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+use signal_hook::flag;
+
+/// A signal that asks the program to end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Signal {
+    /// Name, as `kill -l` has it.
+    pub name: &'static str,
+    /// Number [-].
+    pub number: i32,
+}
+
+/// The signals that are caught.
+pub const SIGNALS: [Signal; 3] = [
+    Signal {
+        name: "SIGINT",
+        number: SIGINT,
+    },
+    Signal {
+        name: "SIGTERM",
+        number: SIGTERM,
+    },
+    Signal {
+        name: "SIGHUP",
+        number: SIGHUP,
+    },
+];
+
+impl Signal {
+    /// Status a program ends with that ended because of it.
+    pub fn exit_status(self) -> u8 {
+        128 + self.number as u8
+    }
+}
+
+/// Whether a signal has come. Copies look at the same flag.
+#[derive(Debug, Clone)]
+pub struct Interrupt {
+    /// Number of the last signal caught, 0 for none.
+    number: Arc<AtomicUsize>,
+}
+
+impl Interrupt {
+    /// Catches [`SIGNALS`] for the rest of the process. A second SIGINT ends it at once, for whoever
+    /// presses Ctrl-C again because saving takes too long. A signal that the parent has told us to
+    /// ignore stays ignored: that is how `nohup` keeps runs alive.
+    pub fn install() -> io::Result<Self> {
+        let number = Arc::new(AtomicUsize::new(0));
+        let ignored = ignored_signals();
+        for signal in SIGNALS {
+            if ignored & (1 << (signal.number - 1)) != 0 {
+                continue;
+            }
+            if signal.number == SIGINT {
+                let again = Arc::new(AtomicBool::new(false));
+                // Actions run in this order, so the first SIGINT only arms the second.
+                flag::register_conditional_default(SIGINT, Arc::clone(&again))?;
+                flag::register(SIGINT, again)?;
+            }
+            flag::register_usize(signal.number, Arc::clone(&number), signal.number as usize)?;
+        }
+        Ok(Self { number })
+    }
+
+    /// The signal that has come, if any. Costs one load: may be asked in every cycle.
+    pub fn caught(&self) -> Option<Signal> {
+        let number = self.number.load(Ordering::Relaxed);
+        SIGNALS
+            .into_iter()
+            .find(|signal| signal.number as usize == number)
+    }
+}
+
+/// The set of signals this process was started to ignore, bit k-1 for number k; empty where the
+/// system does not tell.
+fn ignored_signals() -> u64 {
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    ignored_in(&status)
+}
+
+fn ignored_in(status: &str) -> u64 {
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok())
+        .unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::os::unix::process::ExitStatusExt;
+    use std::process::{Command, Output};
+
+    use signal_hook::low_level::raise;
+
+    use super::*;
+
+    /// Runs the test `name` of this file again in a process of its own, where signals hurt nobody.
+    fn alone(name: &str, shell: &str) -> Output {
+        let program = std::env::current_exe().unwrap();
+        Command::new("sh")
+            .args(["-c", &format!("{shell} exec \"$0\" \"$@\"")])
+            .arg(program)
+            .arg("--exact")
+            .arg(format!("record::interrupt::tests::{name}"))
+            .env("BALLAST_TEST_ALONE", name)
+            .output()
+            .unwrap()
+    }
+
+    /// Whether that test ran, and passed: a name that fits no test would succeed too.
+    fn passed(output: &Output) -> bool {
+        let said = String::from_utf8_lossy(&output.stdout);
+        output.status.success() && said.contains("1 passed")
+    }
+
+    fn is_alone(name: &str) -> bool {
+        std::env::var("BALLAST_TEST_ALONE").is_ok_and(|alone| alone == name)
+    }
+
+    #[test]
+    fn each_signal_is_seen() {
+        let name = "each_signal_is_seen";
+        if !is_alone(name) {
+            assert!(passed(&alone(name, "")));
+            return;
+        }
+        for signal in SIGNALS {
+            let interrupt = Interrupt::install().unwrap();
+            assert_eq!(interrupt.caught(), None);
+            raise(signal.number).unwrap();
+            assert_eq!(interrupt.clone().caught(), Some(signal));
+        }
+    }
+
+    #[test]
+    fn a_second_ctrl_c_ends_the_process() {
+        let name = "a_second_ctrl_c_ends_the_process";
+        if !is_alone(name) {
+            assert_eq!(alone(name, "").status.signal(), Some(SIGINT));
+            return;
+        }
+        let interrupt = Interrupt::install().unwrap();
+        raise(SIGINT).unwrap();
+        assert_eq!(interrupt.caught(), Some(SIGNALS[0]));
+        raise(SIGINT).unwrap();
+    }
+
+    #[test]
+    fn nohup_is_respected() {
+        let name = "nohup_is_respected";
+        if !is_alone(name) {
+            assert!(passed(&alone(name, "trap '' HUP;")));
+            return;
+        }
+        let interrupt = Interrupt::install().unwrap();
+        raise(SIGHUP).unwrap();
+        assert_eq!(interrupt.caught(), None);
+        raise(SIGTERM).unwrap();
+        assert_eq!(interrupt.caught(), Some(SIGNALS[1]));
+    }
+
+    #[test]
+    fn statuses_follow_the_shell() {
+        assert_eq!(SIGNALS.map(Signal::exit_status), [130, 143, 129]);
+    }
+
+    #[test]
+    fn the_mask_of_ignored_signals_is_read() {
+        assert_eq!(ignored_in("Name:\tx\nSigIgn:\t0000000000001001\n"), 0x1001);
+        assert_eq!(ignored_in("nothing"), 0);
+    }
+}

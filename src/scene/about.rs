@@ -1,0 +1,85 @@
+//! `[about]`: what a preset is for, in words.
+
+use super::draft::Draft;
+use super::key::{Absent, Form, Key};
+use super::reader::Reader;
+use super::section::{Section, Shape};
+
+/// What a preset says about itself.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct About {
+    /// Title.
+    pub title: String,
+    /// What it shows, one line.
+    pub shows: String,
+    /// What to watch.
+    pub look: String,
+    /// Commands worth trying.
+    pub try_: Vec<String>,
+    /// Where the experiment comes from.
+    pub source: String,
+    /// Whether the tests run it to its end.
+    pub quick: bool,
+}
+
+/// The declaration.
+pub(crate) const SECTION: Section = Section {
+    name: "about",
+    shape: Shape::Single,
+    required: false,
+    summary: "what the preset is for, in words",
+    keys: KEYS,
+    read,
+};
+
+const KEYS: &[Key] = &[
+    text("title", "title"),
+    text("shows", "one line on what it shows"),
+    text("look", "what to watch while it runs"),
+    Key {
+        form: Form::Texts,
+        ..text("try", "list of console commands worth trying")
+    },
+    text("source", "publication the experiment comes from"),
+    Key {
+        form: Form::Flag,
+        absent: Absent::Flag(false),
+        ..text("quick", "mark of presets that the tests run to their end")
+    },
+];
+
+const fn text(name: &'static str, summary: &'static str) -> Key {
+    Key {
+        name,
+        form: Form::Text,
+        unit: "-",
+        absent: Absent::Said("empty"),
+        summary,
+    }
+}
+
+fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
+    let text = |name| {
+        reader
+            .text(name)
+            .map_or_else(String::new, |(text, _)| text.into())
+    };
+    draft.about = About {
+        title: text("title"),
+        shows: text("shows"),
+        look: text("look"),
+        try_: commands(reader, "try"),
+        source: text("source"),
+        quick: reader.flag("quick").unwrap_or_default(),
+    };
+}
+
+/// Commands a reader may type later: they must be commands, but may name what is not there yet.
+fn commands(reader: &Reader<'_>, name: &str) -> Vec<String> {
+    let texts = reader.texts(name).unwrap_or_default();
+    for (text, place) in &texts {
+        let parsed = crate::language::Command::parse(text);
+        super::phrase::accept(reader.report, parsed, text, *place);
+    }
+    texts.into_iter().map(|(text, _)| text.to_owned()).collect()
+}

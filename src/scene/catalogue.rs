@@ -1,0 +1,45 @@
+//! The presets that are part of the program.
+
+/// A preset that is part of the program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Preset {
+    /// Name on the command line: the file's name without its ending.
+    pub name: &'static str,
+    /// The file.
+    pub text: &'static str,
+}
+
+/// All of them, in the order they are shown.
+pub const PRESETS: &[Preset] = &[preset(
+    "two-discs",
+    include_str!("../../presets/two-discs.toml"),
+)];
+
+const fn preset(name: &'static str, text: &'static str) -> Preset {
+    Preset { name, text }
+}
+
+/// The preset of this name.
+pub fn find(name: &str) -> Option<&'static Preset> {
+    PRESETS.iter().find(|preset| preset.name == name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_file_is_listed_once() {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/presets");
+        let mut files: Vec<String> = std::fs::read_dir(folder)
+            .unwrap()
+            .map(|file| file.unwrap().path())
+            .filter(|path| path.extension().is_some_and(|ending| ending == "toml"))
+            .map(|path| path.file_stem().unwrap().to_str().unwrap().to_owned())
+            .collect();
+        files.sort();
+        let mut listed: Vec<&str> = PRESETS.iter().map(|preset| preset.name).collect();
+        listed.sort_unstable();
+        assert_eq!(files, listed);
+    }
+}

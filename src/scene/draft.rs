@@ -1,0 +1,185 @@
+//! A scene while its preset is being read: the values so far, and where those were written that
+//! are checked against each other at the end.
+
+use super::expect::Expect;
+use super::history::History;
+use super::phrase;
+use super::place::{Place, quoted};
+use super::problem::{Problem, Report};
+use super::stage::Stage;
+use super::{about::About, reader::Reader};
+use crate::engine::setup::{Body, Damping, LawChoice, NormalForm, Setup, TimeStepChoice};
+use crate::language::{Command, Known, Mistake};
+use crate::measure::columns::{Column, Names, nearest};
+
+/// The scene so far. A table in which something is wrong is kept with what could be read, so that
+/// names and numbers of the others stay right; a draft with problems never becomes a scene.
+pub(crate) struct Draft<'a> {
+    /// Texts and problems.
+    pub(crate) report: &'a Report,
+    /// `[about]`.
+    pub(crate) about: About,
+    /// Random seed.
+    pub(crate) seed: u64,
+    /// What the world will be built from.
+    pub(crate) setup: Setup,
+    /// `[history]`.
+    pub(crate) history: History,
+    /// Cycles between tests of conditions that read columns.
+    pub(crate) check_every: Option<u64>,
+    /// `[[stage]]`, each with the place of its name.
+    pub(crate) stages: Vec<(Stage, Place)>,
+    /// `[[expect]]`.
+    pub(crate) expects: Vec<Expect>,
+    /// What commands may name; follows the commands of the stages.
+    pub(crate) known: Known,
+    /// Every wall and particle that is there at some time: columns may name them all.
+    pub(crate) ever: Names,
+    /// Where the law and the time step were chosen.
+    pub(crate) model: Mark,
+    /// Where each material was written.
+    pub(crate) materials: Vec<Mark>,
+    /// Where each particle was written.
+    pub(crate) particles: Vec<Mark>,
+    /// Where each wall was written.
+    pub(crate) walls: Vec<Mark>,
+}
+
+/// Where a table was written and whether all of it could be read.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Mark {
+    /// The header, or the value a check is about.
+    pub(crate) place: Place,
+    /// Whether its values are those of the preset.
+    pub(crate) sound: bool,
+}
+
+impl<'a> Draft<'a> {
+    /// Nothing read yet.
+    pub(crate) fn new(report: &'a Report) -> Self {
+        Self {
+            report,
+            about: About::default(),
+            seed: 0,
+            setup: Setup {
+                body: Body::Sphere,
+                law: LawChoice::Linear,
+                normal: NormalForm::Total,
+                time_step: TimeStepChoice::Critical,
+                frac: 0.0,
+                rotation: true,
+                gravity: None,
+                damping: Damping::default(),
+                materials: Vec::new(),
+                pairs: Vec::new(),
+                particles: Vec::new(),
+                walls: Vec::new(),
+                tol: None,
+                fracc_every: 1,
+                overlap_allowed: false,
+                ledger: false,
+            },
+            history: History::default(),
+            check_every: None,
+            stages: Vec::new(),
+            expects: Vec::new(),
+            known: Known::default(),
+            ever: Names::default(),
+            model: Mark {
+                place: Place::new(0, 0..0),
+                sound: false,
+            },
+            materials: Vec::new(),
+            particles: Vec::new(),
+            walls: Vec::new(),
+        }
+    }
+
+    /// The index of a material by name; reports a name that no material has.
+    pub(crate) fn material(&self, name: &str, place: Place, of: &Reader<'_>) -> Option<usize> {
+        let known = self.setup.materials.iter().map(|m| m.name.as_str());
+        let found = known.clone().position(|material| material == name);
+        if found.is_none() {
+            let message = format!("there is no material {} for {}", quoted(name), of.title);
+            self.report.add(
+                Problem::new(message, place)
+                    .expected("expected the name of a [material.NAME]")
+                    .remedy(match self.setup.materials.len() {
+                        0 => format!("add [material.{name}] with its density and stiffness"),
+                        _ => nearest(name, known),
+                    }),
+            );
+        }
+        found
+    }
+
+    /// Reports a column that names what is not there.
+    pub(crate) fn check_column(&self, column: &Column, text: &str, place: Place) {
+        let checked = column
+            .check(&self.ever)
+            .map_err(|unknown| Mistake::new(unknown.message, unknown.remedy, 0..text.len()));
+        phrase::accept(self.report, checked, text, place);
+    }
+
+    /// Reports a command that names what is not there; else what it makes is there from now on.
+    pub(crate) fn follow(&mut self, command: &Command, text: &str, place: Place) {
+        let checked = self.known.check(command, text);
+        phrase::accept(self.report, checked, text, place);
+        self.known.follow(command);
+        let Known { names, .. } = &self.known;
+        match command {
+            Command::Create(_) => self.ever.particles.extend(names.particles.last()),
+            Command::Wall(name, _) if !self.ever.walls.contains(name) => {
+                self.ever.walls.push(name.clone());
+            }
+            _ => {}
+        }
+    }
+
+    /// Reports a name that commands and --set could not spell without quotes.
+    pub(crate) fn check_name(&self, name: &str, place: Place) {
+        let mut letters = name.chars();
+        let first = letters.next().is_some_and(char::is_alphabetic);
+        if first && letters.all(|c| c.is_alphanumeric() || c == '_' || c == '-') {
+            return;
+        }
+        self.report.add(
+            Problem::new(format!("{} cannot be a name", quoted(name)), place)
+                .expected("expected a letter, then letters, digits, `_` and `-`")
+                .remedy("rename it: commands and --set spell it without quotes"),
+        );
+    }
+
+    /// Reports a name that could not stand in `wall:NAME:f1` within an expression.
+    pub(crate) fn check_wall_name(&self, name: &str, place: Place) {
+        if crate::language::name::is_name(name) {
+            return;
+        }
+        self.report.add(
+            Problem::new(format!("{} cannot name a wall", quoted(name)), place)
+                .expected("expected a letter, then letters, digits and `_`")
+                .remedy("rename it: `wall:NAME:f1` stands in expressions"),
+        );
+    }
+
+    /// Reports a name that is taken; commands do not tell upper from lower case.
+    pub(crate) fn check_unique<'n>(
+        &self,
+        name: &str,
+        place: Place,
+        taken: impl Iterator<Item = (&'n str, Place)>,
+    ) {
+        let lower = name.to_lowercase();
+        for (other, there) in taken {
+            if other.to_lowercase() == lower {
+                self.report.add(
+                    Problem::new(format!("the name {} is taken", quoted(name)), place)
+                        .expected("a second one of this name")
+                        .also(there, "the first one")
+                        .remedy("rename one of them; upper and lower case are the same here"),
+                );
+                return;
+            }
+        }
+    }
+}

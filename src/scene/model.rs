@@ -1,0 +1,172 @@
+//! `[model]`: law, body, time step and what acts everywhere.
+
+use super::draft::{Draft, Mark};
+use super::gravity;
+use super::key::{Absent, Bounds, Form, Key};
+use super::reader::{Reader, WordOrNumber};
+use super::section::{Section, Shape};
+use crate::engine::setup::{Body, LawChoice, NormalForm, TimeStepChoice};
+
+/// The declaration.
+pub(crate) const SECTION: Section = Section {
+    name: "model",
+    shape: Shape::Single,
+    required: true,
+    summary: "law, body, time step and gravity",
+    keys: KEYS,
+    read,
+};
+
+/// Contact laws by name.
+const LAWS: &[&str] = &["linear"];
+
+const KEYS: &[Key] = &[
+    Key {
+        name: "law",
+        form: Form::Word(LAWS),
+        unit: "-",
+        absent: Absent::Said("\"linear\" for discs; spheres have to name one"),
+        summary: "contact law",
+    },
+    Key {
+        name: "normal",
+        form: Form::Word(&["total", "incremental"]),
+        unit: "-",
+        absent: Absent::Word("total"),
+        summary: "way the normal force follows the overlap: from the overlap itself, or summed \
+                  from increments as in 1979",
+    },
+    Key {
+        name: "body",
+        form: Form::Word(&["sphere", "disc"]),
+        unit: "-",
+        absent: Absent::Word("sphere"),
+        summary: "kind of particle: a sphere with its centre in the plane, or a disc of unit length",
+    },
+    Key {
+        name: "time_step",
+        form: Form::WordOrNumber(
+            &["rayleigh", "rayleigh-exact", "critical"],
+            Bounds::POSITIVE,
+        ),
+        unit: "s",
+        absent: Absent::Said("\"rayleigh\" for spheres, \"critical\" for discs"),
+        summary: "step that `frac` multiplies; a number is in seconds",
+    },
+    Key {
+        name: "frac",
+        form: Form::Number(Bounds::POSITIVE),
+        unit: "-",
+        absent: Absent::Said("0.1; 1 if time_step is a number"),
+        summary: "multiple of `time_step` that is used (FRAC)",
+    },
+    Key {
+        name: "seed",
+        form: Form::Count(0, u64::MAX),
+        unit: "-",
+        absent: Absent::Count(1),
+        summary: "seed of everything random",
+    },
+    Key {
+        name: "rotation",
+        form: Form::Flag,
+        unit: "-",
+        absent: Absent::Flag(true),
+        summary: "choice whether particles can turn",
+    },
+    gravity::KEY,
+    Key {
+        name: "overlap",
+        form: Form::Word(&["refuse", "allow"]),
+        unit: "-",
+        absent: Absent::Word("refuse"),
+        summary: "treatment of overlaps at the start above 5 % of the smaller radius",
+    },
+    Key {
+        name: "fracc_every",
+        form: Form::Count(1, u32::MAX as u64),
+        unit: "cycles",
+        absent: Absent::Count(1),
+        summary: "number of cycles between evaluations of FRACC",
+    },
+    Key {
+        name: "tol",
+        form: Form::Number(Bounds::POSITIVE),
+        unit: "m",
+        absent: Absent::Said("a tenth of the smallest radius"),
+        summary: "gap within which a pair is listed as neighbours (TOL)",
+    },
+];
+
+fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
+    let body = match reader.word("body") {
+        Some("disc") => Body::Disc,
+        _ => Body::Sphere,
+    };
+    let law = law(reader, body);
+    let given = reader.has("time_step").then(|| time_step(reader)).flatten();
+    let setup = &mut draft.setup;
+    setup.body = body;
+    setup.normal = match reader.word("normal") {
+        Some("incremental") => NormalForm::Incremental,
+        _ => NormalForm::Total,
+    };
+    setup.time_step = given.unwrap_or(match body {
+        Body::Sphere => TimeStepChoice::Rayleigh,
+        Body::Disc => TimeStepChoice::Critical,
+    });
+    setup.frac = match (reader.number("frac"), setup.time_step) {
+        (Some(frac), _) => frac,
+        (None, TimeStepChoice::Seconds(_)) => 1.0,
+        (None, _) => 0.1,
+    };
+    setup.rotation = reader.flag("rotation").unwrap_or_default();
+    setup.gravity = gravity::read(reader);
+    setup.overlap_allowed = reader.word("overlap") == Some("allow");
+    setup.fracc_every = reader
+        .count("fracc_every")
+        .and_then(|every| u32::try_from(every).ok())
+        .unwrap_or_default();
+    setup.tol = reader.number("tol");
+    draft.seed = reader.count("seed").unwrap_or_default();
+    draft.model = Mark {
+        place: reader.place_of("time_step"),
+        // What a wrong law or step would need is not known.
+        sound: law.is_some() && (given.is_some() || !reader.has("time_step")),
+    };
+    if let Some(law) = law {
+        setup.law = law;
+    }
+}
+
+fn law(reader: &Reader<'_>, body: Body) -> Option<LawChoice> {
+    match (reader.has("law"), body) {
+        (true, _) => match reader.word("law") {
+            Some("linear") => Some(LawChoice::Linear),
+            _ => None,
+        },
+        (false, Body::Disc) => Some(LawChoice::Linear),
+        (false, Body::Sphere) => {
+            reader.refuse(
+                "law",
+                "[model] has no `law`, and spheres have no default one yet",
+                "`law` is missing here",
+                &format!(
+                    "add law = \"{}\", or body = \"disc\" if discs are meant; laws: {}",
+                    LAWS[0],
+                    LAWS.join(", ")
+                ),
+            );
+            None
+        }
+    }
+}
+
+fn time_step(reader: &Reader<'_>) -> Option<TimeStepChoice> {
+    match reader.word_or_number("time_step")? {
+        WordOrNumber::Word("rayleigh") => Some(TimeStepChoice::Rayleigh),
+        WordOrNumber::Word("rayleigh-exact") => Some(TimeStepChoice::RayleighExact),
+        WordOrNumber::Word(_) => Some(TimeStepChoice::Critical),
+        WordOrNumber::Number(seconds) => Some(TimeStepChoice::Seconds(seconds)),
+    }
+}

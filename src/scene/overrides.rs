@@ -1,0 +1,326 @@
+//! `--set PATH=VALUE`: puts a value in the place of what the preset says, or adds a key that it
+//! leaves out.
+//!
+//! A path is `section.key` (`model.frac`), `section.NAME.key` (`material.glass.friction`,
+//! `wall.floor.velocity`, `stage.shear.until`), `particle.NUMBER.key` with the number that columns
+//! use, from 1, or `section.INDEX.key` from 0 for tables without a name (`pair.0.friction`). A
+//! further part goes into a list by index from 0 (`stage.shear.do.0`) or into a table by key
+//! (`model.gravity.g`). Parts with other characters than letters, digits, `_` and `-` are quoted.
+//! The value is TOML; what begins with a letter and is no TOML value is a text.
+
+use super::document::{Entry, Node, Table, Value, read_value};
+use super::key::Form;
+use super::place::{Place, Source, quoted};
+use super::problem::Problem;
+use super::section::{Section, Shape};
+use crate::measure::columns::nearest;
+
+/// Applies the option that is source `index` to a document.
+pub(crate) fn apply(document: &mut Table, source: &Source, index: usize) -> Result<(), Problem> {
+    let (path, offset) = parts(source, index)?;
+    let node = value(source, index, offset)?;
+    let mut path = path.iter();
+    let start = Place::new(index, 0..0);
+    let Some(first) = path.next() else {
+        return Err(short("the path is empty", start, "model.frac=0.2"));
+    };
+    let names = super::SECTIONS.iter().map(|section| section.name);
+    let section = super::SECTIONS
+        .iter()
+        .find(|section| section.name == first.text)
+        .ok_or_else(|| unknown(first, "table of presets", nearest(&first.text, names)))?;
+
+    let table = match section.shape {
+        Shape::Single => single(document, section, first),
+        Shape::Named | Shape::Listed => {
+            let Some(selector) = path.next() else {
+                let example = format!("{}.{}", section.name, selectors(section, document));
+                return Err(short("the path names no table", first.place, &example));
+            };
+            select(document, section, selector)
+        }
+    }?;
+    let Some(table) = table else {
+        // The section is misshapen in the preset itself, which is reported there.
+        return Ok(());
+    };
+    let Some(key) = path.next() else {
+        let example = section.keys.first().map_or("", |key| key.name);
+        return Err(short("the path names no key", first.place, example));
+    };
+    let Some(declared) = section.keys.iter().find(|known| known.name == key.text) else {
+        let names = section.keys.iter().map(|known| known.name);
+        let what = format!("key of {}", section.header("NAME"));
+        return Err(unknown(key, &what, nearest(&key.text, names)));
+    };
+    match path.next() {
+        None => put(table, key, node),
+        Some(inner) => inside(table, key, &declared.form, inner, node)?,
+    }
+    match path.next() {
+        None => Ok(()),
+        Some(part) => Err(Problem::new("the path goes too deep", part.place)
+            .expected("there is nothing inside of a value")
+            .remedy(format!("end the path at `{}`", key.text))),
+    }
+}
+
+/// A part of a path.
+struct Part {
+    text: String,
+    place: Place,
+}
+
+/// The parts before the `=` and the byte after it.
+fn parts(source: &Source, index: usize) -> Result<(Vec<Part>, usize), Problem> {
+    let text = &source.text;
+    let whole = Place::new(index, 0..text.len());
+    let mut parts = Vec::new();
+    let mut start = 0;
+    let mut quote = None;
+    for (at, c) in text.char_indices() {
+        match (quote, c) {
+            (Some(open), _) if open == c => quote = None,
+            (None, '"' | '\'') => quote = Some(c),
+            (None, '.' | '=') => {
+                parts.push(part(source, index, start, at)?);
+                start = at + 1;
+                if c == '=' {
+                    return Ok((parts, start));
+                }
+            }
+            _ => {}
+        }
+    }
+    Err(Problem::new("the option has no `=`", whole)
+        .expected("expected PATH=VALUE")
+        .remedy("write for instance --set model.frac=0.2"))
+}
+
+fn part(source: &Source, index: usize, start: usize, end: usize) -> Result<Part, Problem> {
+    let written = &source.text[start..end];
+    let text = written.trim();
+    let place = Place::new(index, start..end);
+    let bare = |text: &str| {
+        !text.is_empty()
+            && text
+                .chars()
+                .all(|c| c.is_alphanumeric() || c == '_' || c == '-')
+    };
+    let inner = text
+        .strip_prefix('"')
+        .and_then(|rest| rest.strip_suffix('"'))
+        .or_else(|| {
+            text.strip_prefix('\'')
+                .and_then(|rest| rest.strip_suffix('\''))
+        });
+    match inner {
+        Some(inner) => Ok(Part {
+            text: inner.to_owned(),
+            place,
+        }),
+        None if bare(text) => Ok(Part {
+            text: text.to_owned(),
+            place,
+        }),
+        None => Err(
+            Problem::new(format!("{} is no part of a path", quoted(text)), place)
+                .expected("expected a name or a number")
+                .remedy("write for instance --set material.glass.friction=0.5"),
+        ),
+    }
+}
+
+/// The value after the `=`; a bare word is a text.
+fn value(source: &Source, index: usize, offset: usize) -> Result<Node, Problem> {
+    let written = source.text.get(offset..).unwrap_or_default();
+    let text = written.trim();
+    let start = offset + (written.len() - written.trim_start().len());
+    let place = Place::new(index, start..start + text.len());
+    if text.is_empty() {
+        return Err(Problem::new("the option has no value", place)
+            .expected("expected a value after `=`")
+            .remedy("write for instance --set model.frac=0.2"));
+    }
+    match read_value(source, index, start) {
+        Ok(node) => Ok(node),
+        Err(_) if text.starts_with(char::is_alphabetic) => Ok(Node {
+            place,
+            value: Value::Text(text.to_owned()),
+        }),
+        Err(problem) => Err(problem.remedy("write a number, true, [x, y], or a text in quotes")),
+    }
+}
+
+type Found<'t> = Result<Option<&'t mut Table>, Problem>;
+
+fn single<'t>(document: &'t mut Table, section: &Section, part: &Part) -> Found<'t> {
+    if document.get(section.name).is_none() {
+        put(
+            document,
+            part,
+            Node {
+                place: part.place,
+                value: Value::Table(Table::default()),
+            },
+        );
+    }
+    Ok(match document.get_mut(section.name) {
+        Some(entry) => as_table(&mut entry.node),
+        None => None,
+    })
+}
+
+fn select<'t>(document: &'t mut Table, section: &Section, selector: &Part) -> Found<'t> {
+    let missing = {
+        let what = format!("{} of the preset", section.name);
+        unknown(
+            selector,
+            &what,
+            format!("there is {}", selectors(section, document)),
+        )
+    };
+    let near = {
+        let names = names(section, document);
+        nearest(&selector.text, names.iter().map(String::as_str))
+    };
+    let missing = if near.starts_with("did you mean") {
+        missing.remedy(near)
+    } else {
+        missing
+    };
+    let Some(entry) = document.get_mut(section.name) else {
+        return Err(missing);
+    };
+    match &mut entry.node.value {
+        Value::Table(tables) if section.shape == Shape::Named => {
+            let entry = tables.get_mut(&selector.text).ok_or(missing)?;
+            Ok(as_table(&mut entry.node))
+        }
+        Value::List(items) if section.shape == Shape::Listed => {
+            let number: Option<usize> = selector.text.parse().ok();
+            let index = match number {
+                Some(number) if section.name == "particle" => number.checked_sub(1),
+                Some(number) => Some(number),
+                None => items
+                    .iter()
+                    .position(|item| name(item) == Some(&selector.text)),
+            };
+            let item = index.and_then(|index| items.get_mut(index));
+            Ok(as_table(item.ok_or(missing)?))
+        }
+        _ => Ok(None),
+    }
+}
+
+fn as_table(node: &mut Node) -> Option<&mut Table> {
+    match &mut node.value {
+        Value::Table(table) => Some(table),
+        _ => None,
+    }
+}
+
+/// What selects a table of a section, for messages.
+fn selectors(section: &Section, document: &Table) -> String {
+    let names = names(section, document);
+    match (names.as_slice(), section.shape) {
+        ([], Shape::Named) => "none".into(),
+        ([], _) => {
+            let count = match document.get(section.name).map(|entry| &entry.node.value) {
+                Some(Value::List(items)) => items.len(),
+                _ => 0,
+            };
+            match (count, section.name) {
+                (0, _) => "none".into(),
+                (count, "particle") => format!("1 to {count}"),
+                (count, _) => format!("0 to {}", count - 1),
+            }
+        }
+        (names, _) => names.join(", "),
+    }
+}
+
+fn names(section: &Section, document: &Table) -> Vec<String> {
+    match document.get(section.name).map(|entry| &entry.node.value) {
+        Some(Value::Table(tables)) => tables
+            .entries
+            .iter()
+            .map(|entry| entry.key.clone())
+            .collect(),
+        Some(Value::List(items)) => items.iter().filter_map(name).cloned().collect(),
+        _ => Vec::new(),
+    }
+}
+
+fn name(node: &Node) -> Option<&String> {
+    let Value::Table(table) = &node.value else {
+        return None;
+    };
+    match &table.get("name")?.node.value {
+        Value::Text(name) => Some(name),
+        _ => None,
+    }
+}
+
+fn put(table: &mut Table, key: &Part, node: Node) {
+    let entry = Entry {
+        key: key.text.clone(),
+        place: key.place,
+        node,
+    };
+    match table.get_mut(&key.text) {
+        Some(old) => *old = entry,
+        None => table.entries.push(entry),
+    }
+}
+
+/// Replaces a part of a value: an element of a list, or a key of a table.
+fn inside(
+    table: &mut Table,
+    key: &Part,
+    form: &Form,
+    inner: &Part,
+    node: Node,
+) -> Result<(), Problem> {
+    match (
+        form,
+        table.get_mut(&key.text).map(|entry| &mut entry.node.value),
+    ) {
+        (_, Some(Value::List(items))) => {
+            let index: Option<usize> = inner.text.parse().ok();
+            let count = items.len();
+            let item = index.and_then(|index| items.get_mut(index));
+            *item.ok_or_else(|| {
+                let what = format!("element of `{}`", key.text);
+                unknown(inner, &what, format!("it has {count}, counted from 0"))
+            })? = node;
+            Ok(())
+        }
+        (Form::VectorOrTable(keys), Some(Value::Table(inside)))
+            if keys.iter().any(|known| known.name == inner.text) =>
+        {
+            put(inside, inner, node);
+            Ok(())
+        }
+        (Form::VectorOrTable(keys), _) => {
+            let what = format!("key of `{}`", key.text);
+            let names = keys.iter().map(|known| known.name);
+            Err(unknown(inner, &what, nearest(&inner.text, names)))
+        }
+        _ => Err(Problem::new("the path goes too deep", inner.place)
+            .expected(format!("`{}` of the preset holds nothing inside", key.text))
+            .remedy(format!("end the path at `{}`", key.text))),
+    }
+}
+
+fn unknown(part: &Part, what: &str, remedy: String) -> Problem {
+    Problem::new(format!("{} is no {what}", quoted(&part.text)), part.place)
+        .expected("unknown name")
+        .remedy(remedy)
+}
+
+fn short(message: &str, place: Place, example: &str) -> Problem {
+    Problem::new(message, place)
+        .expected("the path ends too early")
+        .remedy(format!("go on, for instance with {example}"))
+}

@@ -1,0 +1,70 @@
+//! The reference of all keys, made from their declarations.
+
+use super::SECTIONS;
+use super::key::{Form, Key};
+
+/// All sections and keys as Markdown: what the README shows.
+pub fn reference_table() -> String {
+    let mut text = String::new();
+    for section in SECTIONS {
+        let required = if section.required { " Required." } else { "" };
+        text.push_str(&format!(
+            "### `{}`\n\n{}.{required}\n\n| key | value | default | meaning |\n|---|---|---|---|\n",
+            section.header("NAME"),
+            capital(section.summary),
+        ));
+        for key in section.keys {
+            row(&mut text, "", key);
+        }
+        text.push('\n');
+    }
+    text.truncate(text.trim_end().len());
+    text.push('\n');
+    text
+}
+
+fn row(text: &mut String, within: &str, key: &Key) {
+    let name = format!("{within}{}", key.name);
+    let (wanted, absent) = (cell(&key.wanted()), cell(&key.absent.to_string()));
+    text.push_str(&format!(
+        "| `{name}` | {wanted} | {absent} | {} |\n",
+        cell(key.summary)
+    ));
+    if let Form::VectorOrTable(keys) = key.form {
+        for key in keys {
+            row(text, &format!("{name}."), key);
+        }
+    }
+}
+
+fn cell(text: &str) -> String {
+    text.replace('|', "\\|")
+}
+
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| {
+        first.to_uppercase().collect::<String>() + letters.as_str()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_key_is_declared_once_and_documented() {
+        let table = reference_table();
+        for section in SECTIONS {
+            assert!(table.contains(&section.header("NAME")));
+            for (k, key) in section.keys.iter().enumerate() {
+                assert!(!key.summary.is_empty(), "{}.{}", section.name, key.name);
+                let twice = section.keys[k + 1..]
+                    .iter()
+                    .any(|other| other.name == key.name);
+                assert!(!twice, "{}.{}", section.name, key.name);
+                assert!(table.contains(&format!("| `{}` | ", key.name)));
+            }
+        }
+    }
+}
