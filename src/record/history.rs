@@ -207,6 +207,7 @@ mod tests {
     use std::fs;
     use std::io::ErrorKind;
 
+    use super::super::own_process;
     use super::super::whole_lines::tests::Small;
     use super::*;
 
@@ -322,6 +323,29 @@ mod tests {
             assert!(History::resume(&path, &columns(), 10).is_err());
             assert_eq!(fs::read(&path).unwrap(), noise);
         }
+    }
+
+    #[test]
+    fn a_file_that_may_not_grow_ends_with_a_whole_row() {
+        let name = "history::tests::a_file_that_may_not_grow_ends_with_a_whole_row";
+        if let Some(path) = own_process::value() {
+            let mut history = History::create(Path::new(&path), &columns()).unwrap();
+            (0..100).for_each(|cycle| sample(&mut history, cycle, "load"));
+            let error = history.flush().unwrap_err().to_string();
+            assert!(error.contains("largest size of a file"), "{error}");
+            return;
+        }
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("run.csv");
+        // One block, of 512 or 1024 bytes; without the trap the signal of that limit would kill.
+        let limit = "trap '' XFSZ; ulimit -f 1;";
+        own_process::assert_passed(&own_process::run(name, limit, path.to_str().unwrap()));
+        let text = fs::read_to_string(&path).unwrap();
+        // A row is shorter than 40 bytes, so the last one that fits ends near the limit.
+        assert!((470..=512).contains(&text.len()) || (980..=1024).contains(&text.len()));
+        assert!(text.ends_with('\n'), "{text}");
+        let cells = |line: &str| line.split(',').count();
+        assert!(text.lines().all(|line| cells(line) == 5), "{text}");
     }
 
     #[test]

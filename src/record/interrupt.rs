@@ -94,40 +94,17 @@ fn ignored_in(status: &str) -> u64 {
 #[cfg(test)]
 mod tests {
     use std::os::unix::process::ExitStatusExt;
-    use std::process::{Command, Output};
 
     use signal_hook::low_level::raise;
 
+    use super::super::own_process;
     use super::*;
-
-    /// Runs the test `name` of this file again in a process of its own, where signals hurt nobody.
-    fn alone(name: &str, shell: &str) -> Output {
-        let program = std::env::current_exe().unwrap();
-        Command::new("sh")
-            .args(["-c", &format!("{shell} exec \"$0\" \"$@\"")])
-            .arg(program)
-            .arg("--exact")
-            .arg(format!("record::interrupt::tests::{name}"))
-            .env("BALLAST_TEST_ALONE", name)
-            .output()
-            .unwrap()
-    }
-
-    /// Whether that test ran, and passed: a name that fits no test would succeed too.
-    fn passed(output: &Output) -> bool {
-        let said = String::from_utf8_lossy(&output.stdout);
-        output.status.success() && said.contains("1 passed")
-    }
-
-    fn is_alone(name: &str) -> bool {
-        std::env::var("BALLAST_TEST_ALONE").is_ok_and(|alone| alone == name)
-    }
 
     #[test]
     fn each_signal_is_seen() {
-        let name = "each_signal_is_seen";
-        if !is_alone(name) {
-            assert!(passed(&alone(name, "")));
+        let name = "interrupt::tests::each_signal_is_seen";
+        if own_process::value().is_none() {
+            own_process::assert_passed(&own_process::run(name, "", "1"));
             return;
         }
         for signal in SIGNALS {
@@ -140,9 +117,10 @@ mod tests {
 
     #[test]
     fn a_second_ctrl_c_ends_the_process() {
-        let name = "a_second_ctrl_c_ends_the_process";
-        if !is_alone(name) {
-            assert_eq!(alone(name, "").status.signal(), Some(SIGINT));
+        let name = "interrupt::tests::a_second_ctrl_c_ends_the_process";
+        if own_process::value().is_none() {
+            let output = own_process::run(name, "", "1");
+            assert_eq!(output.status.signal(), Some(SIGINT));
             return;
         }
         let interrupt = Interrupt::install().unwrap();
@@ -153,9 +131,9 @@ mod tests {
 
     #[test]
     fn nohup_is_respected() {
-        let name = "nohup_is_respected";
-        if !is_alone(name) {
-            assert!(passed(&alone(name, "trap '' HUP;")));
+        let name = "interrupt::tests::nohup_is_respected";
+        if own_process::value().is_none() {
+            own_process::assert_passed(&own_process::run(name, "trap '' HUP;", "1"));
             return;
         }
         let interrupt = Interrupt::install().unwrap();

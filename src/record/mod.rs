@@ -11,5 +11,7 @@ pub mod history;
 pub mod interrupt;
 pub mod journal;
 pub mod number;
+#[cfg(test)]
+mod own_process;
 pub mod whole_file;
 mod whole_lines;
