@@ -8,7 +8,9 @@ use super::World;
 use super::contact::Reaction;
 use super::neighbours::{Slot, Status};
 use super::particles::Inertia;
-use super::setup::{Damping, Gravity, Material, ParticleSetup, TimeStepChoice, WallSetup};
+use super::setup::{
+    Damping, Gravity, Material, PairOverride, ParticleSetup, TimeStepChoice, WallSetup,
+};
 use super::wall::Wall;
 
 /// A contact as it stands, for people and measures.
@@ -265,6 +267,64 @@ impl World {
             }
             world.rework();
         });
+    }
+
+    /// Sets the friction of every contact with the walls of this name. Such a wall gets a material
+    /// of its own if it shares one.
+    pub fn set_wall_friction(&mut self, name: &str, friction: f64) {
+        self.booked(|world| {
+            for w in 0..world.walls.len() {
+                if world.walls[w].name == name {
+                    let shared = world.walls[w].material;
+                    let own = world.own_material(w);
+                    world.walls[w].material = own;
+                    world.model.materials[own].friction = friction;
+                    // Particles may be smoother: pairs say what holds at this wall.
+                    for other in 0..own {
+                        let pair = world.pair_override([other, shared]);
+                        world.model.pairs.push(PairOverride {
+                            materials: [other, own],
+                            friction: Some(friction),
+                            ..pair
+                        });
+                    }
+                }
+            }
+            world.rework();
+        });
+    }
+
+    /// What overrides a pair of materials now; nothing if it has no override.
+    fn pair_override(&self, [a, b]: [usize; 2]) -> PairOverride {
+        let same = |p: &&PairOverride| p.materials == [a, b] || p.materials == [b, a];
+        let known = self.model.pairs.iter().rev().find(same).cloned();
+        known.unwrap_or(PairOverride {
+            materials: [a, b],
+            friction: None,
+            cohesion: None,
+            restitution: None,
+            normal_stiffness: None,
+            shear_stiffness: None,
+        })
+    }
+
+    fn own_material(&mut self, w: usize) -> usize {
+        let shared = self.walls[w].material;
+        let name = format!(
+            "{}@{}",
+            self.model.materials[shared].name, self.walls[w].name
+        );
+        let known = self.model.materials[shared]
+            .name
+            .ends_with(&format!("@{}", self.walls[w].name));
+        if known {
+            return shared;
+        }
+        self.model.materials.push(Material {
+            name,
+            ..self.model.materials[shared].clone()
+        });
+        self.model.materials.len() - 1
     }
 
     /// Starts to count the largest FRACC afresh; answers what it was.

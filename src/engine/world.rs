@@ -120,6 +120,11 @@ impl World {
             .unwrap_or_default();
     }
 
+    /// After the checkpoint is written.
+    pub fn unload(&mut self) {
+        self.memory = Vec::new();
+    }
+
     /// After reading a checkpoint: what is not stored is made again. False if it does not fit.
     pub fn unpack(&mut self, threads: usize) -> bool {
         self.threads = Threads::new(threads);

@@ -1,1 +1,150 @@
-//! session.
+//! A run: a scene, its world, where it stands in its stages, its history and its journal.
+//!
+//! Whoever runs it, headless, workbench or test, does the same: [`Session::advance`] in batches,
+//! [`Session::execute`] between them. Everything that changes a world is a `Command`, so a key, a
+//! typed line, a stage and a journal cannot drift apart.
+
+mod advance;
+mod change;
+mod course;
+mod error;
+mod execute;
+mod inspect;
+mod opening;
+mod print;
+mod recording;
+mod reference;
+mod replay;
+mod save;
+
+pub use advance::{Budget, Progress};
+pub use course::Errand;
+pub use error::{Refusal, RunError};
+pub use execute::{By, Reply};
+pub use opening::Options;
+pub use recording::{Recording, Row};
+pub use replay::Replay;
+pub use save::Resumed;
+
+use crate::engine::World;
+use crate::measure::columns::Names;
+use crate::record::history::History;
+use crate::record::journal::{Event, EventKind, Journal, JournalWriter};
+use crate::scene::Scene;
+use course::Course;
+use reference::Reference;
+
+/// A run.
+pub struct Session {
+    scene: Scene,
+    world: World,
+    course: Course,
+    recording: Recording,
+    journal: Journal,
+    /// Where rows go besides memory.
+    csv: Option<History>,
+    /// Where events go besides memory.
+    journal_file: Option<JournalWriter>,
+    /// Things the user should know, in order.
+    notices: Vec<String>,
+    /// Whether PRINT BALLS and PRINT CONTACTS show only largest, smallest and mean.
+    averages_only: bool,
+    /// State that displacements are measured from.
+    reference: Reference,
+    /// State at the start of the stage, for a run that goes wrong.
+    safe: Vec<u8>,
+}
+
+impl Session {
+    /// The scene it runs.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// The world as it is.
+    pub fn world(&self) -> &World {
+        &self.world
+    }
+
+    /// The world, for measuring: sums of forces may be made.
+    pub fn world_mut(&mut self) -> &mut World {
+        &mut self.world
+    }
+
+    /// What was recorded.
+    pub fn recording(&self) -> &Recording {
+        &self.recording
+    }
+
+    /// What was done.
+    pub fn journal(&self) -> &Journal {
+        &self.journal
+    }
+
+    /// Name of the stage being run, or run last.
+    pub fn stage_name(&self) -> &str {
+        self.scene
+            .stages
+            .get(self.course.stage)
+            .map_or("", |stage| &stage.name)
+    }
+
+    /// Number of the stage being run, from 0, and how many there are.
+    pub fn stage_number(&self) -> (usize, usize) {
+        (self.course.stage, self.scene.stages.len())
+    }
+
+    /// Cycles done in the stage.
+    pub fn stage_cycle(&self) -> u64 {
+        self.world.cycle_number() - self.course.started_at
+    }
+
+    /// Length of the present stage as far as it is known [cycles].
+    pub fn stage_length(&self) -> Option<u64> {
+        self.scene
+            .stages
+            .get(self.course.stage)
+            .and_then(|stage| stage.max_cycles)
+    }
+
+    /// Whether all stages are done.
+    pub fn is_finished(&self) -> bool {
+        self.course.is_finished(self.scene.stages.len())
+    }
+
+    /// Whether a stage ended at its `max_cycles` although it has a condition.
+    pub fn cut_short(&self) -> &[String] {
+        &self.course.cut_short
+    }
+
+    /// Takes what the user should know.
+    pub fn take_notices(&mut self) -> Vec<String> {
+        std::mem::take(&mut self.notices)
+    }
+
+    /// What names refer to now.
+    pub fn names(&self) -> Names {
+        Names {
+            walls: self
+                .world
+                .walls()
+                .iter()
+                .map(|wall| wall.name.clone())
+                .collect(),
+            particles: self.world.particles().id.clone(),
+        }
+    }
+
+    fn note(&mut self, kind: EventKind) -> Result<(), RunError> {
+        let event = Event {
+            cycle: self.world.cycle_number(),
+            kind,
+        };
+        let written = self
+            .journal_file
+            .as_mut()
+            .map_or(Ok(()), |file| file.append(&event));
+        self.journal.events.push(event);
+        Ok(written?)
+    }
+}

@@ -1,0 +1,305 @@
+//! Running: stages begin, cycles pass, rows are taken, stages end.
+
+use std::time::{Duration, Instant};
+
+use super::course::{Errand, Phase};
+use super::{By, Refusal, RunError, Session};
+use crate::language::{Command, Expression, Term};
+use crate::measure::sample::Sample;
+use crate::record::journal::EventKind;
+
+/// How long a batch may be.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Budget {
+    /// No cycle after this one.
+    pub until_cycle: Option<u64>,
+    /// No cycle begins after so much time.
+    pub time: Option<Duration>,
+}
+
+/// Why a batch ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Progress {
+    /// The budget is used up.
+    Budget,
+    /// What a command asked for is done.
+    ErrandDone,
+    /// All stages are done, and no command asks for more.
+    Finished,
+}
+
+/// Cycles between looks at the clock.
+const BETWEEN_LOOKS: u32 = 16;
+
+impl Session {
+    /// Runs a batch. When all stages are done it goes on only for what the user asked for, or if
+    /// `free` up to the cycle of the budget.
+    pub fn advance(&mut self, budget: Budget, free: bool) -> Result<Progress, RunError> {
+        let start = Instant::now();
+        let mut looks = 0;
+        loop {
+            if budget
+                .until_cycle
+                .is_some_and(|cycle| self.world.cycle_number() >= cycle)
+            {
+                return Ok(Progress::Budget);
+            }
+            if looks == BETWEEN_LOOKS {
+                looks = 0;
+                if budget.time.is_some_and(|time| start.elapsed() >= time) {
+                    return Ok(Progress::Budget);
+                }
+            }
+            looks += 1;
+            if self.user_turn()? {
+                return Ok(Progress::ErrandDone);
+            }
+            self.stage_turn()?;
+            let more = self.course.user_errand.is_some() || (free && budget.until_cycle.is_some());
+            if self.is_finished() && !more {
+                return Ok(Progress::Finished);
+            }
+            self.cycle()?;
+        }
+    }
+
+    /// One cycle and what belongs to the boundary it arrives at.
+    fn cycle(&mut self) -> Result<(), RunError> {
+        self.world.cycle()?;
+        let running = self.course.phase == Phase::Running;
+        if running {
+            self.look_for_stage_end();
+        }
+        let due = self
+            .world
+            .cycle_number()
+            .is_multiple_of(self.recording.every);
+        if due || (running && self.course.phase == Phase::Over) {
+            self.take_row()?;
+        }
+        Ok(())
+    }
+
+    /// What the user asked for comes before what stages do at the same boundary. True when all of
+    /// it is done.
+    fn user_turn(&mut self) -> Result<bool, RunError> {
+        let Some(errand) = self.course.user_errand.clone() else {
+            return if self.course.user_lines.is_empty() {
+                Ok(false)
+            } else {
+                self.user_line()
+            };
+        };
+        if !self.errand_done(&errand) {
+            return Ok(false);
+        }
+        self.course.user_errand = None;
+        if self.course.user_lines.is_empty() {
+            Ok(true)
+        } else {
+            self.user_line()
+        }
+    }
+
+    /// Lines of a sourced file, up to one that runs cycles.
+    fn user_line(&mut self) -> Result<bool, RunError> {
+        while let Some(line) = self.course.user_lines.pop_front() {
+            let refused = |refusal: Refusal| {
+                let cycle = self.world.cycle_number();
+                RunError::Journal {
+                    cycle,
+                    line: line.clone(),
+                    refusal,
+                }
+            };
+            let command = Command::parse(&line).map_err(|mistake| refused(mistake.into()))?;
+            if let Err(refusal) = self.execute(&command, By::User) {
+                self.course.user_lines.clear();
+                let cycle = self.world.cycle_number();
+                return Err(RunError::Journal {
+                    cycle,
+                    line,
+                    refusal,
+                });
+            }
+            if self.course.user_errand.is_some() {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    /// Begins stages that are due and issues their commands, until cycles have to run.
+    fn stage_turn(&mut self) -> Result<(), RunError> {
+        let stages = self.scene.stages.len();
+        loop {
+            match self.course.phase {
+                _ if stages == 0 => return self.first_row(),
+                Phase::Ahead => self.begin_stage()?,
+                Phase::Issuing => {
+                    if let Some(errand) = self.course.errand.clone() {
+                        if !self.errand_done(&errand) {
+                            return self.first_row();
+                        }
+                        self.course.errand = None;
+                    }
+                    if let Some(line) = self.course.lines.pop_front() {
+                        self.issue(&line)?;
+                    } else {
+                        self.course.phase = Phase::Running;
+                        self.look_for_stage_end();
+                        self.first_row()?;
+                        if self.course.phase == Phase::Over {
+                            self.take_row()?;
+                        }
+                    }
+                }
+                Phase::Running => return Ok(()),
+                Phase::Over if self.course.stage + 1 >= stages => return Ok(()),
+                Phase::Over => {
+                    self.course.stage += 1;
+                    self.course.phase = Phase::Ahead;
+                }
+            }
+        }
+    }
+
+    fn begin_stage(&mut self) -> Result<(), RunError> {
+        self.course.started_at = self.world.cycle_number();
+        self.keep_safe();
+        self.course.phase = Phase::Issuing;
+        let stage = &self.scene.stages[self.course.stage];
+        self.course.lines = stage.commands.iter().map(ToString::to_string).collect();
+        let name = stage.name.clone();
+        self.note(EventKind::Stage(name))
+    }
+
+    fn issue(&mut self, line: &str) -> Result<(), RunError> {
+        self.note(EventKind::Staged(line.to_owned()))?;
+        let done = match Command::parse(line) {
+            Ok(command) => self.execute(&command, By::Stage).map(drop),
+            Err(mistake) => Err(mistake.into()),
+        };
+        done.map_err(|refusal| RunError::Stage {
+            stage: self.stage_name().to_owned(),
+            line: line.to_owned(),
+            refusal,
+        })
+    }
+
+    fn look_for_stage_end(&mut self) {
+        let Some(stage) = self.scene.stages.get(self.course.stage) else {
+            return;
+        };
+        let done = self.stage_cycle();
+        let check = stage
+            .check_every
+            .or(self.scene.check_every)
+            .unwrap_or(self.recording.every);
+        let condition = stage.until.clone();
+        let limit = stage.max_cycles.or(condition.is_none().then_some(0));
+        if condition.is_some_and(|condition| self.condition_holds(&condition, done, check)) {
+            self.course.phase = Phase::Over;
+        } else if limit.is_some_and(|limit| done >= limit) {
+            self.course.phase = Phase::Over;
+            let stage = &self.scene.stages[self.course.stage];
+            if stage.until.is_some() {
+                let name = stage.name.clone();
+                self.notices.push(format!(
+                    "stage {name} ended after max_cycles = {done} before its condition held"
+                ));
+                self.course.cut_short.push(name);
+            }
+        }
+    }
+
+    /// Cycle counts are looked at in every cycle, columns every `check` cycles and at the beginning.
+    fn condition_holds(&mut self, condition: &Expression, done: u64, check: u64) -> bool {
+        let (cycle, time) = (self.world.cycle_number() as f64, self.world.time());
+        let clock = |term: &Term| match term {
+            Term::Cycle => cycle,
+            Term::Time => time,
+            Term::StageCycle => done as f64,
+            Term::Column(_) => f64::NAN,
+        };
+        // Comparisons with NaN are false: what holds without columns holds with them.
+        if condition.holds(&mut |term| clock(term)) {
+            return true;
+        }
+        let due = done == 0 || self.world.cycle_number().is_multiple_of(check.max(1));
+        if !condition.needs_sample() || !due {
+            return false;
+        }
+        let sample = Sample::of(&mut self.world);
+        condition.holds(&mut |term| match term {
+            Term::Column(column) => sample.value(column),
+            other => clock(other),
+        })
+    }
+
+    fn errand_done(&mut self, errand: &Errand) -> bool {
+        if errand
+            .until_cycle
+            .is_some_and(|last| self.world.cycle_number() >= last)
+        {
+            return true;
+        }
+        let done = self.world.cycle_number() - errand.from;
+        let check = self.scene.check_every.unwrap_or(self.recording.every);
+        let condition = errand.condition.as_deref().map(Expression::parse_condition);
+        condition
+            .and_then(Result::ok)
+            .is_some_and(|condition| self.condition_holds(&condition, done, check))
+    }
+
+    /// The row of cycle 0.
+    fn first_row(&mut self) -> Result<(), RunError> {
+        if self.recording.rows().is_empty() {
+            self.take_row()
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Takes the row of this cycle, once.
+    pub(super) fn take_row(&mut self) -> Result<(), RunError> {
+        let cycle = self.world.cycle_number();
+        if self
+            .recording
+            .rows()
+            .last()
+            .is_some_and(|row| row.cycle == cycle)
+        {
+            return Ok(());
+        }
+        let stage_cycle = self.stage_cycle();
+        let sample = Sample::of(&mut self.world);
+        self.recording
+            .take(&sample, self.course.stage as u32, stage_cycle);
+        self.world.take_fracc();
+        let name = self.stage_name().to_owned();
+        if let (Some(csv), Some(row)) = (&mut self.csv, self.recording.rows().last()) {
+            self.recording.write(row, &name, csv)?;
+        }
+        Ok(())
+    }
+
+    /// Ends the run: last row, end of the journal, everything handed to the files.
+    pub fn finish(&mut self) -> Result<(), RunError> {
+        self.first_row()?;
+        self.take_row()?;
+        self.note(EventKind::End)?;
+        self.flush()
+    }
+
+    /// Hands everything recorded so far to the files.
+    pub fn flush(&mut self) -> Result<(), RunError> {
+        if let Some(csv) = &mut self.csv {
+            csv.sync()?;
+        }
+        if let Some(journal) = &mut self.journal_file {
+            journal.sync()?;
+        }
+        Ok(())
+    }
+}

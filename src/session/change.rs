@@ -1,0 +1,299 @@
+//! Commands that change the world.
+
+use super::Refusal;
+use crate::engine::World;
+use crate::engine::edit::Motion;
+use crate::engine::setup::{Damping, Dashpot, PairOverride, ParticleSetup, Setup, WallSetup};
+use crate::language::Command;
+use crate::language::command::{
+    Create, Damper, FrictionOf, ParticleChange, ParticleRange, Property, WallChange,
+};
+
+/// Carries the change out and says what is so now.
+pub(super) fn world(world: &mut World, command: &Command) -> Result<String, Refusal> {
+    match command {
+        Command::Create(new) => create(world, new),
+        Command::Delete(range) => Ok(delete(world, *range)),
+        Command::Wall(name, change) => wall(world, name, change),
+        Command::Particle(id, change) => particle(world, *id, change),
+        Command::Property(material, key, value) => property(world, material, *key, *value),
+        Command::Friction(value, of) => Ok(friction(world, *value, of)),
+        Command::Frac(frac) => {
+            world.set_frac(*frac);
+            Ok(format!(
+                "dt = {:.6e} s, frac limit {:.4}",
+                world.dt(),
+                world.frac_limit()
+            ))
+        }
+        Command::Damp(damper, value) => {
+            world.set_damping(damping(world.model().damping, *damper, *value));
+            Ok(format!("damping {damper} {value}"))
+        }
+        Command::Con1(con1) => {
+            world.set_damping(Damping {
+                con1: *con1,
+                ..world.model().damping
+            });
+            Ok(format!("con1 {con1}"))
+        }
+        Command::Gravity(gravity) => {
+            world.set_gravity(*gravity);
+            Ok(match gravity {
+                Some(_) => command.to_string(),
+                None => "no gravity".into(),
+            })
+        }
+        Command::Rotation(on) => {
+            world.set_rotation(*on);
+            Ok(format!(
+                "particles {}",
+                if *on { "turn" } else { "do not turn" }
+            ))
+        }
+        Command::Zero => {
+            world.zero_velocities();
+            Ok("all velocities are zero".into())
+        }
+        other => Err(Refusal::new(
+            format!("`{other}` changes no world"),
+            "this is a fault of the program, please report it",
+        )),
+    }
+}
+
+fn create(world: &mut World, new: &Create) -> Result<String, Refusal> {
+    let materials = &world.model().materials;
+    let material = match &new.material {
+        None => 0,
+        Some(name) => materials.iter().position(|m| m.name == *name).unwrap_or(0),
+    };
+    if materials[material].rigid {
+        return Err(Refusal::new(
+            format!("material {} is rigid", materials[material].name),
+            "only walls can be: name another material",
+        ));
+    }
+    if world.model().overlap_allowed {
+        // Anything goes.
+    } else if let Some((id, overlap)) = deepest(world, new.at, new.radius)
+        && overlap > 0.05 * new.radius
+    {
+        return Err(Refusal::new(
+            format!("it would overlap particle {id} by {overlap:.3e} m"),
+            "move it, or set model.overlap = \"allow\" in the preset",
+        ));
+    }
+    let id = world.create(&ParticleSetup {
+        at: new.at,
+        radius: new.radius,
+        material,
+        velocity: new.velocity,
+        spin: new.spin,
+        angle: 0.0,
+        force: [0.0; 2],
+        fixed: [false; 3],
+    });
+    Ok(format!("particle {id}"))
+}
+
+/// The particle a new one would overlap most, over the smaller radius's allowance.
+fn deepest(world: &World, at: [f64; 2], radius: f64) -> Option<(u32, f64)> {
+    let particles = world.particles();
+    (0..particles.len())
+        .map(|p| {
+            let x = world.position(p);
+            let d = [x[0] - at[0], x[1] - at[1]];
+            let r = particles.row[p].radius;
+            let overlap = radius + r - (d[0] * d[0] + d[1] * d[1]).sqrt();
+            // In terms of the new particle's radius, so that the smaller of the two decides.
+            (particles.id[p], overlap * (radius / radius.min(r)))
+        })
+        .max_by(|a, b| a.1.total_cmp(&b.1))
+}
+
+fn delete(world: &mut World, range: ParticleRange) -> String {
+    let ids: Vec<u32> = world
+        .particles()
+        .id
+        .iter()
+        .copied()
+        .filter(|id| range.contains(*id))
+        .collect();
+    for id in &ids {
+        if let Some(p) = world.particles().index(*id) {
+            world.delete(p);
+        }
+    }
+    format!("{} deleted, {} left", ids.len(), world.particles().len())
+}
+
+fn wall(world: &mut World, name: &str, change: &WallChange) -> Result<String, Refusal> {
+    if let WallChange::Create { from, to, material } = change {
+        let d = [to[0] - from[0], to[1] - from[1]];
+        let length = (d[0] * d[0] + d[1] * d[1]).sqrt();
+        let material = material
+            .as_ref()
+            .and_then(|name| world.model().materials.iter().position(|m| m.name == *name))
+            .unwrap_or(0);
+        world.create_wall(&WallSetup {
+            name: name.to_owned(),
+            material,
+            point: *from,
+            direction: [d[0] / length, d[1] / length],
+            h1: 0.0,
+            h2: length,
+            velocity: [0.0; 2],
+            angular_velocity: 0.0,
+            about: *from,
+        });
+        return Ok(format!("wall {name}"));
+    }
+    let w = world.walls().iter().position(|wall| wall.name == name);
+    let w = w.ok_or_else(|| Refusal::new(format!("there is no wall {name}"), "see print walls"))?;
+    match change {
+        WallChange::Velocity(v) => world.set_wall_velocity(w, *v),
+        WallChange::Spin(spin) => world.set_wall_spin(w, *spin),
+        WallChange::Delete => {
+            world.delete_wall(w);
+            return Ok(format!("wall {name} deleted"));
+        }
+        WallChange::Create { .. } => {}
+    }
+    let wall = &world.walls()[w];
+    Ok(format!(
+        "wall {name}: velocity {:?} m/s, spin {:?} rad/s",
+        wall.velocity, wall.spin
+    ))
+}
+
+fn particle(world: &mut World, id: u32, change: &ParticleChange) -> Result<String, Refusal> {
+    let p = world
+        .particles()
+        .index(id)
+        .ok_or_else(|| Refusal::new(format!("there is no particle {id}"), "see print balls"))?;
+    match change {
+        ParticleChange::Velocity(v) => world.set_motion(p, Motion::Velocity(*v)),
+        ParticleChange::Spin(spin) => world.set_motion(p, Motion::Spin(*spin)),
+        ParticleChange::Force(force) => world.set_force(p, *force),
+        ParticleChange::Fix(fix) => {
+            let now = world.particles().fixed[p];
+            world.set_fixed(p, [now[0] | fix[0], now[1] | fix[1], now[2] | fix[2]]);
+        }
+        ParticleChange::Free => world.set_fixed(p, [false; 3]),
+    }
+    world.settle();
+    let (v, spin) = world.velocity(p);
+    Ok(format!(
+        "particle {id}: velocity {v:?} m/s, spin {spin:?} rad/s"
+    ))
+}
+
+fn property(
+    world: &mut World,
+    material: &str,
+    key: Property,
+    value: f64,
+) -> Result<String, Refusal> {
+    world.change_materials(|model| {
+        for m in model.materials.iter_mut().filter(|m| m.name == material) {
+            match key {
+                Property::Density => m.density = value,
+                Property::Friction => m.friction = value,
+                Property::Cohesion => m.cohesion = value,
+                Property::NormalStiffness => m.normal_stiffness = Some(value),
+                Property::ShearStiffness => m.shear_stiffness = Some(value),
+                Property::Young => m.young = Some(value),
+                Property::Poisson => m.poisson = Some(value),
+            }
+        }
+    });
+    Ok(format!(
+        "{material} {key} = {value:?}, dt = {:.6e} s",
+        world.dt()
+    ))
+}
+
+fn damping(now: Damping, damper: Damper, value: f64) -> Damping {
+    match damper {
+        Damper::Contact => Damping {
+            contact: Dashpot::Fraction(value),
+            ..now
+        },
+        Damper::Wall => Damping {
+            wall: Some(Dashpot::Fraction(value)),
+            ..now
+        },
+        Damper::Tangential => Damping {
+            tangential: Some(value),
+            ..now
+        },
+        Damper::Beta => Damping {
+            contact: Dashpot::Beta(value),
+            ..now
+        },
+        Damper::Global => Damping {
+            global: value,
+            ..now
+        },
+        Damper::Local => Damping {
+            local: value,
+            ..now
+        },
+    }
+}
+
+fn friction(world: &mut World, value: f64, of: &FrictionOf) -> String {
+    let name = match of {
+        FrictionOf::Everything => {
+            world.change_materials(|model| {
+                model.materials.iter_mut().for_each(|m| m.friction = value);
+                model.pairs.iter_mut().for_each(|pair| pair.friction = None);
+            });
+            "everywhere".to_owned()
+        }
+        FrictionOf::Material(name) => {
+            world.change_materials(|model| {
+                model
+                    .materials
+                    .iter_mut()
+                    .filter(|m| m.name == *name)
+                    .for_each(|m| m.friction = value);
+            });
+            format!("of {name}")
+        }
+        FrictionOf::Pair(a, b) => {
+            world.change_materials(|model| {
+                let find = |name: &str| model.materials.iter().position(|m| m.name == name);
+                if let (Some(a), Some(b)) = (find(a), find(b)) {
+                    pair_friction(model, [a, b], value);
+                }
+            });
+            format!("between {a} and {b}")
+        }
+        FrictionOf::Wall(name) => {
+            world.set_wall_friction(name, value);
+            format!("on wall {name}")
+        }
+    };
+    format!("friction {value:?} {name}")
+}
+
+fn pair_friction(model: &mut Setup, materials: [usize; 2], value: f64) {
+    let [a, b] = materials;
+    let known = model
+        .pairs
+        .iter_mut()
+        .rfind(|p| p.materials == [a, b] || p.materials == [b, a]);
+    match known {
+        Some(pair) => pair.friction = Some(value),
+        None => model.pairs.push(PairOverride {
+            materials,
+            friction: Some(value),
+            cohesion: None,
+            restitution: None,
+            normal_stiffness: None,
+            shear_stiffness: None,
+        }),
+    }
+}

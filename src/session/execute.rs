@@ -1,0 +1,313 @@
+//! Carrying out a command: the only way anything changes a world.
+
+use std::path::Path;
+
+use super::course::Errand;
+use super::{Reference, Refusal, Session, change, inspect, print};
+use crate::language::command::{Goal, HistoryChange, Printout};
+use crate::language::{COMMANDS, Command, Known};
+use crate::record::journal::EventKind;
+
+/// Who asks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum By {
+    /// Somebody who types or presses, now or in a journal.
+    User,
+    /// A stage of the preset.
+    Stage,
+}
+
+/// What a command answers.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Reply {
+    /// Lines for the dialogue; tables come as they are printed.
+    pub lines: Vec<String>,
+    /// What whoever runs the session should do now.
+    pub request: Option<Request>,
+}
+
+/// What a command asks of whoever runs the session.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Request {
+    /// Run on.
+    Run,
+    /// Stop running.
+    Pause,
+    /// End; `anyway`: without asking.
+    Quit {
+        /// Whether unsaved cycles do not matter.
+        anyway: bool,
+    },
+}
+
+impl Reply {
+    pub(super) fn line(text: impl Into<String>) -> Self {
+        Self {
+            lines: vec![text.into()],
+            request: None,
+        }
+    }
+
+    fn asking(text: impl Into<String>, request: Request) -> Self {
+        Self {
+            lines: vec![text.into()],
+            request: Some(request),
+        }
+    }
+}
+
+/// Out-of-balance ratio that `solve` aims at unless told otherwise.
+const SOLVED: f64 = 1e-5;
+
+impl Session {
+    /// Executes a line as if typed.
+    pub fn type_line(&mut self, line: &str) -> Result<Reply, Refusal> {
+        let command = Command::parse(line)?;
+        self.execute(&command, By::User)
+    }
+
+    /// What lines can refer to now.
+    pub fn known(&self) -> Known {
+        Known {
+            names: self.names(),
+            materials: self
+                .world
+                .model()
+                .materials
+                .iter()
+                .map(|m| m.name.clone())
+                .collect(),
+        }
+    }
+
+    /// Carries a command out. A refused one has changed nothing.
+    pub fn execute(&mut self, command: &Command, by: By) -> Result<Reply, Refusal> {
+        let line = command.to_string();
+        self.known().check(command, &line)?;
+        let reply = self.carry_out(command, by)?;
+        let told = command.changes_world()
+            || command.runs_cycles()
+            || matches!(
+                command,
+                Command::Reference
+                    | Command::Restore(_)
+                    | Command::Pause
+                    | Command::History(HistoryChange::Every(_) | HistoryChange::Columns(_))
+            );
+        if by == By::User && told {
+            self.note(EventKind::Typed(line)).map_err(|error| {
+                Refusal::new(
+                    error.to_string(),
+                    "the command took effect but is not in the journal",
+                )
+            })?;
+        }
+        Ok(reply)
+    }
+
+    fn carry_out(&mut self, command: &Command, by: By) -> Result<Reply, Refusal> {
+        match command {
+            Command::Cycle(n) => self.run_to(Some(*n), None, by),
+            Command::Step(n) => self.run_to(Some(*n), None, by),
+            Command::Solve(solve) => {
+                let condition = match &solve.goal {
+                    Some(Goal::Until(condition)) => condition.to_string(),
+                    Some(Goal::Ratio(ratio)) => format!("unbalanced <= {ratio:?}"),
+                    None => format!("unbalanced <= {SOLVED:?}"),
+                };
+                self.run_to(solve.max, Some(condition), by)
+            }
+            Command::Go => Ok(Reply::asking("running", Request::Run)),
+            Command::Pause => Ok(Reply::asking(
+                format!("paused at cycle {}", self.world.cycle_number()),
+                Request::Pause,
+            )),
+            Command::Quit { anyway } => Ok(Reply::asking("bye", Request::Quit { anyway: *anyway })),
+            Command::Help(None) => {
+                let width = COMMANDS
+                    .iter()
+                    .map(|card| card.name.len())
+                    .max()
+                    .unwrap_or(0);
+                let row = |card: &crate::language::Card| {
+                    format!("{:width$}  {}", card.name, card.summary)
+                };
+                Ok(Reply {
+                    lines: COMMANDS.iter().map(row).collect(),
+                    request: None,
+                })
+            }
+            Command::Help(Some(name)) => {
+                let card = COMMANDS.iter().find(|card| card.name == *name);
+                let page = card.map(crate::language::Card::page).unwrap_or_default();
+                Ok(Reply {
+                    lines: page.lines().map(str::to_owned).collect(),
+                    request: None,
+                })
+            }
+            Command::Print(what) => Ok(self.print(what)),
+            Command::InspectContact(i, partner) => Ok(Reply {
+                lines: inspect::contact(&mut self.world, *i, partner),
+                request: None,
+            }),
+            Command::History(change) => self.change_history(change),
+            Command::Reference => {
+                self.reference = Reference::of(&self.world);
+                Ok(Reply::line(format!(
+                    "differences from cycle {}",
+                    self.reference.cycle
+                )))
+            }
+            Command::Save(_)
+            | Command::Restore(_)
+            | Command::ExportCsv(_)
+            | Command::Journal(_)
+            | Command::Source(_) => self.keep(command),
+            other => change::world(&mut self.world, other).map(Reply::line),
+        }
+    }
+
+    /// Commands about files.
+    fn keep(&mut self, command: &Command) -> Result<Reply, Refusal> {
+        let failed = |error: super::RunError| {
+            Refusal::new(error.to_string(), "the run itself is not affected")
+        };
+        match command {
+            Command::Save(file) => {
+                self.save(Path::new(file)).map_err(failed)?;
+                Ok(Reply::line(format!(
+                    "saved cycle {} in {file}",
+                    self.world.cycle_number()
+                )))
+            }
+            Command::Restore(file) => {
+                self.restore(Path::new(file)).map_err(failed)?;
+                Ok(Reply::line(format!(
+                    "back at cycle {}",
+                    self.world.cycle_number()
+                )))
+            }
+            Command::ExportCsv(file) => {
+                let rows = self.export_csv(Path::new(file)).map_err(failed)?;
+                Ok(Reply::line(format!("{rows} rows in {file}")))
+            }
+            Command::Journal(file) => {
+                let text = self.journal.to_string();
+                crate::record::whole_file::write(Path::new(file), text.as_bytes())?;
+                Ok(Reply::line(format!(
+                    "{} events in {file}",
+                    self.journal.events.len()
+                )))
+            }
+            Command::Source(file) => self.source(file),
+            _ => Ok(Reply::default()),
+        }
+    }
+
+    /// All lines are read before the first takes effect.
+    fn source(&mut self, file: &str) -> Result<Reply, Refusal> {
+        let text = std::fs::read_to_string(file).map_err(|error| {
+            Refusal::new(
+                format!("{file} cannot be read: {error}"),
+                "give the path of a text file",
+            )
+        })?;
+        let mut known = self.known();
+        let mut lines = Vec::new();
+        for (number, line) in text.lines().enumerate() {
+            if line.trim().is_empty() || line.trim_start().starts_with('#') {
+                continue;
+            }
+            let command = Command::parse(line).and_then(|command| {
+                known.check(&command, line)?;
+                known.follow(&command);
+                Ok(command)
+            });
+            match command {
+                Ok(command) => lines.push(command.to_string()),
+                Err(mistake) => {
+                    let message = format!("{file}, line {}: {}", number + 1, mistake.message);
+                    return Err(Refusal::new(message, mistake.remedy));
+                }
+            }
+        }
+        let count = lines.len();
+        self.course.user_lines.extend(lines);
+        Ok(Reply::asking(
+            format!("{count} commands from {file}"),
+            Request::Run,
+        ))
+    }
+
+    fn run_to(
+        &mut self,
+        cycles: Option<u64>,
+        condition: Option<String>,
+        by: By,
+    ) -> Result<Reply, Refusal> {
+        let from = self.world.cycle_number();
+        let until_cycle = cycles.map(|n| from.saturating_add(n));
+        let errand = Some(Errand {
+            until_cycle,
+            condition,
+            from,
+        });
+        match by {
+            By::User => self.course.user_errand = errand,
+            By::Stage => self.course.errand = errand,
+        }
+        Ok(Reply {
+            lines: Vec::new(),
+            request: Some(Request::Run),
+        })
+    }
+
+    fn print(&mut self, what: &Printout) -> Reply {
+        match what {
+            Printout::Averages => self.averages_only = true,
+            Printout::All => self.averages_only = false,
+            _ => {}
+        }
+        let mode = if self.averages_only {
+            "averages"
+        } else {
+            "everything"
+        };
+        if matches!(what, Printout::Averages | Printout::All) {
+            return Reply::line(format!("print balls and print contacts show {mode}"));
+        }
+        let lines = print::table(&mut self.world, &self.reference, what, self.averages_only);
+        Reply {
+            lines,
+            request: None,
+        }
+    }
+
+    fn change_history(&mut self, change: &HistoryChange) -> Result<Reply, Refusal> {
+        match change {
+            HistoryChange::Show => {}
+            HistoryChange::Every(every) => self.recording.every = *every,
+            HistoryChange::Columns(columns) => {
+                if self.csv.is_some() {
+                    return Err(Refusal::new(
+                        "the columns of a CSV file being written cannot change",
+                        "name them in [history] columns, or export another file at the end",
+                    ));
+                }
+                let booked = self.world.ledger().is_some();
+                if let Some(column) = columns.iter().find(|c| c.card().ledger && !booked) {
+                    return Err(Refusal::new(
+                        format!("{} needs energies booked from the start", column.name()),
+                        "name it in [history] columns of the preset",
+                    ));
+                }
+                self.recording.show(columns);
+            }
+        }
+        let names = self.recording.names().join(", ");
+        let (every, rows) = (self.recording.every, self.recording.rows().len());
+        Ok(Reply::line(format!(
+            "every {every} cycles, {rows} rows: {names}"
+        )))
+    }
+}

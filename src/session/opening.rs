@@ -1,0 +1,78 @@
+//! Starting a session from a scene.
+
+use std::path::Path;
+
+use super::course::Course;
+use super::reference::Reference;
+use super::{Recording, RunError, Session};
+use crate::engine::World;
+use crate::record::history::History;
+use crate::record::journal::{Journal, JournalWriter};
+use crate::scene::Scene;
+
+/// How a session is started.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Options {
+    /// Number of threads; 0: one.
+    pub threads: usize,
+    /// Seed given instead of the preset's, for the journal.
+    pub seed: Option<u64>,
+}
+
+impl Session {
+    /// Builds the world of a scene. No file is touched.
+    pub fn open(scene: Scene, options: Options) -> Result<Self, RunError> {
+        let world = World::build(scene.setup.clone(), options.threads.max(1))?;
+        let read = scene
+            .expects
+            .iter()
+            .flat_map(|expect| expect.what.columns())
+            .collect();
+        let recording = Recording::new(scene.history.every, &scene.history.columns, read);
+        let journal = Journal {
+            program: env!("CARGO_PKG_VERSION").to_owned(),
+            preset_name: scene.name.clone(),
+            preset_text: scene.text.clone(),
+            seed: options.seed,
+            overrides: scene.overrides.clone(),
+            ..Journal::default()
+        };
+        let reference = Reference::of(&world);
+        Ok(Self {
+            scene,
+            world,
+            course: Course::default(),
+            recording,
+            journal,
+            csv: None,
+            journal_file: None,
+            notices: Vec::new(),
+            averages_only: false,
+            reference,
+            safe: Vec::new(),
+        })
+    }
+
+    /// Rows go to this history from now on.
+    pub fn write_history(&mut self, history: History) {
+        self.csv = Some(history);
+    }
+
+    /// Events go to this file from now on; those so far are written first.
+    pub fn write_journal(&mut self, path: &Path) -> Result<(), RunError> {
+        self.journal_file = Some(JournalWriter::create(path, &self.journal)?);
+        Ok(())
+    }
+
+    /// Writes every row so far as CSV.
+    pub fn export_csv(&self, path: &Path) -> Result<u64, RunError> {
+        let mut history = History::create(path, &self.recording.names())?;
+        for row in self.recording.rows() {
+            let stage = self.scene.stages.get(row.stage as usize);
+            self.recording
+                .write(row, stage.map_or("", |stage| &stage.name), &mut history)?;
+        }
+        history.sync()?;
+        Ok(self.recording.rows().len() as u64)
+    }
+}

@@ -1,0 +1,150 @@
+//! The history in memory: every row of the run, for expectations, charts and export.
+
+use serde::{Deserialize, Serialize};
+
+use crate::language::Term;
+use crate::measure::columns::{Column, Kind};
+use crate::measure::sample::Sample;
+use crate::record::error::RecordError;
+use crate::record::history::History;
+use crate::record::number::Cell;
+
+/// One row.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Row {
+    /// Cycles done.
+    pub cycle: u64,
+    /// Simulated time [s].
+    pub time: f64,
+    /// Index of the stage just run.
+    pub stage: u32,
+    /// Cycles done in that stage.
+    pub stage_cycle: u64,
+    /// Bits of the values, one per recorded column.
+    bits: Vec<u64>,
+}
+
+/// All rows, and which columns they have.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Recording {
+    /// A row every so many cycles.
+    pub every: u64,
+    /// Columns that are shown and exported, in order.
+    shown: Vec<usize>,
+    /// All recorded columns: those shown, and those only expectations read.
+    columns: Vec<Column>,
+    rows: Vec<Row>,
+}
+
+impl Recording {
+    /// Records `shown` and, unseen, `read`.
+    pub(super) fn new(every: u64, shown: &[Column], read: Vec<Column>) -> Self {
+        let mut recording = Self {
+            every,
+            ..Self::default()
+        };
+        recording.show(shown);
+        for column in read {
+            recording.place(column);
+        }
+        recording
+    }
+
+    fn place(&mut self, column: Column) -> usize {
+        self.columns
+            .iter()
+            .position(|known| *known == column)
+            .unwrap_or_else(|| {
+                self.columns.push(column);
+                self.columns.len() - 1
+            })
+    }
+
+    /// Shows other columns from now on; rows before a column was recorded hold NaN.
+    pub(super) fn show(&mut self, columns: &[Column]) {
+        self.shown = columns
+            .iter()
+            .map(|column| self.place(column.clone()))
+            .collect();
+    }
+
+    /// Columns that are shown.
+    pub fn shown(&self) -> impl Iterator<Item = &Column> {
+        self.shown.iter().map(|&k| &self.columns[k])
+    }
+
+    /// All rows.
+    pub fn rows(&self) -> &[Row] {
+        &self.rows
+    }
+
+    /// Names of the columns that are shown.
+    pub fn names(&self) -> Vec<String> {
+        self.shown().map(Column::name).collect()
+    }
+
+    /// Place of a recorded column.
+    pub fn position(&self, column: &Column) -> Option<usize> {
+        self.columns.iter().position(|known| known == column)
+    }
+
+    /// Value in a row; NaN where it was not recorded.
+    pub fn value(&self, row: usize, column: usize) -> f64 {
+        self.rows[row]
+            .bits
+            .get(column)
+            .map_or(f64::NAN, |&bits| f64::from_bits(bits))
+    }
+
+    /// Value of a term of an expression in a row.
+    pub fn term(&self, row: usize, term: &Term) -> f64 {
+        let of = &self.rows[row];
+        match term {
+            Term::Cycle => of.cycle as f64,
+            Term::Time => of.time,
+            Term::StageCycle => of.stage_cycle as f64,
+            Term::Column(column) => self
+                .position(column)
+                .map_or(f64::NAN, |place| self.value(row, place)),
+        }
+    }
+
+    /// Measures a row.
+    pub(super) fn take(&mut self, sample: &Sample<'_>, stage: u32, stage_cycle: u64) {
+        let bits = self
+            .columns
+            .iter()
+            .map(|column| match column.card().kind {
+                Kind::Hash => sample.hash(),
+                Kind::Real | Kind::Count => sample.value(column).to_bits(),
+            })
+            .collect();
+        let world = sample.world();
+        let (cycle, time) = (world.cycle_number(), world.time());
+        self.rows.push(Row {
+            cycle,
+            time,
+            stage,
+            stage_cycle,
+            bits,
+        });
+    }
+
+    /// Writes a row to a history.
+    pub fn write(&self, row: &Row, stage: &str, to: &mut History) -> Result<(), RecordError> {
+        let cells: Vec<Cell<'_>> = self
+            .shown
+            .iter()
+            .map(|&k| {
+                let bits = row.bits.get(k).copied().unwrap_or(f64::NAN.to_bits());
+                let value = f64::from_bits(bits);
+                match self.columns[k].card().kind {
+                    Kind::Hash => Cell::Hash(bits),
+                    Kind::Count if value >= 0.0 => Cell::Count(value as u64),
+                    Kind::Count | Kind::Real => Cell::Real(value),
+                }
+            })
+            .collect();
+        to.row(row.cycle, row.time, stage, &cells)
+    }
+}
