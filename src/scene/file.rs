@@ -104,7 +104,7 @@ fn suggestion(name: &str) -> String {
     }
     let files = match files.as_slice() {
         [] => String::new(),
-        [few @ ..] if few.len() <= 5 => format!("; files here: {}", few.join(", ")),
+        few if few.len() <= 5 => format!("; files here: {}", few.join(", ")),
         many => format!("; files here: {}, ...", many[..5].join(", ")),
     };
     format!("embedded presets: {}{files}", embedded.join(", "))

@@ -31,7 +31,7 @@ pub(crate) fn apply(document: &mut Table, source: &Source, index: usize) -> Resu
         .ok_or_else(|| unknown(first, "table of presets", nearest(&first.text, names)))?;
 
     let table = match section.shape {
-        Shape::Single => single(document, section, first),
+        Shape::Single => Ok(single(document, section, first)),
         Shape::Named | Shape::Listed => {
             let Some(selector) = path.next() else {
                 let example = format!("{}.{}", section.name, selectors(section, document));
@@ -154,7 +154,7 @@ fn value(source: &Source, index: usize, offset: usize) -> Result<Node, Problem> 
 
 type Found<'t> = Result<Option<&'t mut Table>, Problem>;
 
-fn single<'t>(document: &'t mut Table, section: &Section, part: &Part) -> Found<'t> {
+fn single<'t>(document: &'t mut Table, section: &Section, part: &Part) -> Option<&'t mut Table> {
     if document.get(section.name).is_none() {
         put(
             document,
@@ -165,10 +165,7 @@ fn single<'t>(document: &'t mut Table, section: &Section, part: &Part) -> Found<
             },
         );
     }
-    Ok(match document.get_mut(section.name) {
-        Some(entry) => as_table(&mut entry.node),
-        None => None,
-    })
+    as_table(&mut document.get_mut(section.name)?.node)
 }
 
 fn select<'t>(document: &'t mut Table, section: &Section, selector: &Part) -> Found<'t> {

@@ -347,10 +347,9 @@ impl<'a> Reader<'a> {
                 "numbers stand without quotes; ".to_owned()
             }
             (Form::Flag, Value::Text(_)) => "true and false stand without quotes; ".to_owned(),
-            (Form::Vector | Form::VectorOrTable(_), Value::List(items)) if items.len() != 2 => {
-                format!("it has {} elements; ", items.len())
-            }
-            (Form::TwoTexts, Value::List(items)) if items.len() != 2 => {
+            (Form::Vector | Form::VectorOrTable(_) | Form::TwoTexts, Value::List(items))
+                if items.len() != 2 =>
+            {
                 format!("it has {} elements; ", items.len())
             }
             (Form::Texts | Form::Words(_), Value::Text(_)) => {
