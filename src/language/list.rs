@@ -68,14 +68,15 @@ impl Card {
 
     /// The page that `help` shows of it.
     pub fn page(&self) -> String {
-        let mut page = format!("{}\n{}. {}\n", self.usage, self.summary, self.detail);
+        let mut lines = vec![
+            self.usage.to_owned(),
+            format!("{}. {}", self.summary, self.detail),
+        ];
         if !self.aliases.is_empty() {
-            page += &format!("also: {}\n", self.aliases.join(", "));
+            lines.push(format!("also: {}", self.aliases.join(", ")));
         }
-        for example in self.examples {
-            page += &format!("  {example}\n");
-        }
-        page
+        lines.extend(self.examples.iter().map(|example| format!("  {example}")));
+        lines.join("\n") + "\n"
     }
 }
 

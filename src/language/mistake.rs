@@ -68,12 +68,12 @@ pub(crate) fn near<'a>(wrong: &str, options: impl Iterator<Item = &'a str>) -> O
         .map(|(_, option)| option)
 }
 
-/// "a, b or c".
+/// "`a`, `b` or `c`".
 pub(crate) fn either(options: &[&str]) -> String {
     match options {
         [] => "nothing".into(),
-        [one] => (*one).into(),
-        [most @ .., last] => format!("{} or {last}", most.join(", ")),
+        [one] => format!("`{one}`"),
+        [most @ .., last] => format!("`{}` or `{last}`", most.join("`, `")),
     }
 }
 
@@ -97,8 +97,8 @@ mod tests {
 
     #[test]
     fn options_read_as_a_sentence() {
-        assert_eq!(either(&["on", "off"]), "on or off");
-        assert_eq!(either(&["a", "b", "c"]), "a, b or c");
+        assert_eq!(either(&["on", "off"]), "`on` or `off`");
+        assert_eq!(either(&["a", "b", "c"]), "`a`, `b` or `c`");
     }
 
     #[test]

@@ -103,7 +103,7 @@ impl Expression {
         match &self.meaning {
             Meaning::Number(number) => {
                 let value = number.value(values);
-                value < 0.0 || value > 0.0
+                !value.is_nan() && value != 0.0
             }
             Meaning::Condition(condition) => condition.holds(values),
         }
@@ -159,5 +159,7 @@ impl FromStr for Expression {
     }
 }
 
+#[cfg(test)]
+mod round_trip;
 #[cfg(test)]
 mod tests;

@@ -96,9 +96,10 @@ impl Quantity {
         let meaning = meaning(&syntax, text, &mut leaf as &mut Leaf<'_, Aggregate>)?;
         let Meaning::Number(number) = meaning else {
             return Err(Mistake::new(
-                format!("{} is a condition, and an expectation measures a number", {
+                format!(
+                    "{} is a condition, and an expectation measures a number",
                     written(&syntax, text)
-                }),
+                ),
                 "give the number here, and the bounds as `value` and `within`",
                 syntax.span,
             ));

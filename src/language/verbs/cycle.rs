@@ -35,7 +35,7 @@ pub const GO: Card = Card {
     aliases: &[],
     usage: "go",
     summary: "runs on until paused",
-    detail: "Stages that are left run first.",
+    detail: "`pause` stops it.",
     examples: &["go"],
     parse: |_| Ok(Command::Go),
     changes_world: false,

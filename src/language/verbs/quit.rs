@@ -2,8 +2,6 @@
 
 use crate::language::command::Command;
 use crate::language::list::Card;
-use crate::language::mistake::Mistake;
-use crate::language::words::Words;
 
 /// Row in the list.
 pub const CARD: Card = Card {
@@ -13,11 +11,9 @@ pub const CARD: Card = Card {
     summary: "ends the session",
     detail: "It asks when cycles have run since the last save; with `!` it does not.",
     examples: &["quit", "q", "quit!", "q!"],
-    parse,
+    parse: |words| {
+        let anyway = words.verb().ends_with('!');
+        Ok(Command::Quit { anyway })
+    },
     changes_world: false,
 };
-
-fn parse(words: &mut Words<'_>) -> Result<Command, Mistake> {
-    let anyway = words.verb().ends_with('!');
-    Ok(Command::Quit { anyway })
-}

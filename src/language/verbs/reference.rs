@@ -2,8 +2,6 @@
 
 use crate::language::command::Command;
 use crate::language::list::Card;
-use crate::language::mistake::Mistake;
-use crate::language::words::Words;
 
 /// Row in the list.
 pub const CARD: Card = Card {
@@ -13,10 +11,6 @@ pub const CARD: Card = Card {
     summary: "measures state differences from now on",
     detail: "Displacements and differences shown later start at 0 here.",
     examples: &["reference"],
-    parse,
+    parse: |_| Ok(Command::Reference),
     changes_world: true,
 };
-
-fn parse(_words: &mut Words<'_>) -> Result<Command, Mistake> {
-    Ok(Command::Reference)
-}

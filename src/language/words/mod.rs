@@ -3,10 +3,11 @@
 //! The verbs say what they expect, so the same code that reads a line also knows, at its end, what
 //! could come next: that is where completions come from.
 
+mod keywords;
 mod values;
 
 use super::list::{self, Card};
-use super::mistake::{Mistake, either, near, shown};
+use super::mistake::{Mistake, shown};
 use super::number;
 use std::borrow::Cow;
 use std::ops::Range;
@@ -140,12 +141,11 @@ impl<'a> Words<'a> {
             return Err(self.missing(what));
         };
         let start = self.at;
-        let (text, length) = match rest.strip_prefix('"') {
-            Some(quoted) => unquoted(quoted),
-            None => {
-                let length = rest.find(char::is_whitespace).unwrap_or(rest.len());
-                (Cow::Borrowed(&rest[..length]), length)
-            }
+        let (text, length) = if let Some(quoted) = rest.strip_prefix('"') {
+            unquoted(quoted)
+        } else {
+            let length = rest.find(char::is_whitespace).unwrap_or(rest.len());
+            (Cow::Borrowed(&rest[..length]), length)
         };
         self.at = start + length;
         Ok(Word {
@@ -197,104 +197,12 @@ impl<'a> Words<'a> {
         ))
     }
 
-    /// One of these words or a prefix that fits one only.
-    pub(crate) fn keyword(&mut self, options: &[&'static str]) -> Result<&'static str, Mistake> {
-        if self.is_at_end() {
-            self.wanted
-                .extend(options.iter().map(|option| Wanted::Keyword(option)));
-            return Err(self.missing(&either(options)));
-        }
-        let word = self.word("")?;
-        let typed = word.text.to_lowercase();
-        let fits: Vec<&'static str> = match options.iter().find(|option| **option == typed) {
-            Some(exact) => vec![exact],
-            None => options
-                .iter()
-                .copied()
-                .filter(|option| option.starts_with(&typed))
-                .collect(),
-        };
-        match fits.as_slice() {
-            [one] => Ok(one),
-            [] => Err(match near(&typed, options.iter().copied()) {
-                Some(best) => Mistake::new(
-                    format!("{} is not known here", shown(&word.text)),
-                    format!("did you mean `{best}`?"),
-                    word.span,
-                ),
-                None => self.refused(&word, "stands", &either(options)),
-            }),
-            several => Err(Mistake::new(
-                format!("{} could be {}", shown(&word.text), either(several)),
-                "write more of it",
-                word.span,
-            )),
-        }
-    }
-
-    /// What belongs to the one of these words that is typed.
-    pub(crate) fn choose<T: Copy>(&mut self, options: &[(&'static str, T)]) -> Result<T, Mistake> {
-        let keywords: Vec<&'static str> = options.iter().map(|(word, _)| *word).collect();
-        let typed = self.keyword(&keywords)?;
-        let chosen = options.iter().find(|(word, _)| *word == typed);
-        Ok(chosen.expect("`keyword` returns one of its options").1)
-    }
-
-    /// The same where the line may also end.
-    pub(crate) fn choose_if_any<T: Copy>(
-        &mut self,
-        options: &[(&'static str, T)],
-    ) -> Result<Option<T>, Mistake> {
-        if !self.is_at_end() {
-            return self.choose(options).map(Some);
-        }
-        self.wanted
-            .extend(options.iter().map(|(word, _)| Wanted::Keyword(word)));
-        Ok(None)
-    }
-
-    /// A command, where the line may also end.
-    pub(crate) fn command_if_any(&mut self) -> Result<Option<&'static Card>, Mistake> {
-        if self.is_at_end() {
-            self.wanted.push(Wanted::Verb);
-            return Ok(None);
-        }
-        let word = self.word("a command")?;
-        list::find(&word.text, word.span).map(Some)
-    }
-
     /// The byte that is read next.
     pub(crate) fn position(&mut self) -> usize {
         self.skip_space()
     }
 
-    /// One of these words, where the line may also end.
-    pub(crate) fn optional_keyword(
-        &mut self,
-        options: &[&'static str],
-    ) -> Result<Option<&'static str>, Mistake> {
-        if !self.is_at_end() {
-            return match options {
-                [] => self.end().map(|()| None),
-                _ => self.keyword(options).map(Some),
-            };
-        }
-        self.wanted
-            .extend(options.iter().map(|option| Wanted::Keyword(option)));
-        Ok(None)
-    }
-
-    /// One of the options that has not been given yet, taken off the list.
-    pub(crate) fn next_option(
-        &mut self,
-        left: &mut Vec<&'static str>,
-    ) -> Result<Option<&'static str>, Mistake> {
-        let option = self.optional_keyword(left)?;
-        left.retain(|word| Some(*word) != option);
-        Ok(option)
-    }
-
-    /// Whether the next word is a number, or there is none.
+    /// Whether the next word is a number.
     pub(crate) fn is_at_number(&mut self) -> bool {
         self.peek().is_some_and(|rest| {
             let word = rest.split_whitespace().next().unwrap_or("");
