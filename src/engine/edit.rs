@@ -72,8 +72,9 @@ impl World {
             return Reaction::default();
         }
         Reaction {
-            normal: -(fx * e[0] + fy * e[1]),
-            tangential: -(fx * e[1] - fy * e[0]),
+            // Adding zero turns a negative one into the plain one that people expect.
+            normal: 0.0 - (fx * e[0] + fy * e[1]),
+            tangential: 0.0 - (fx * e[1] - fy * e[0]),
             sliding: self.contacts.status[k] == Status::Sliding,
             ..Reaction::default()
         }

@@ -181,6 +181,7 @@ impl Tangential for LinearShear {
         Shear {
             force,
             loss,
+            limit,
             sliding,
         }
     }

@@ -43,6 +43,8 @@ pub struct Shear {
     pub force: f64,
     /// Energy lost by slip in this step [J]: mean force times slip.
     pub loss: f64,
+    /// Largest tangential force, spring and dashpot together [N].
+    pub limit: f64,
     /// Whether the whole contact slid.
     pub sliding: bool,
 }
@@ -180,7 +182,16 @@ impl<N: Normal, T: Tangential, D: Viscosity> Law for Contact<N, T, D> {
         let drag = if shear.sliding || !T::ACTIVE {
             0.0
         } else {
-            self.dashpot.tangential(touch.slide)
+            // A dashpot that meets a sudden slip would pull with many times what friction can
+            // carry: the Coulomb limit holds for spring and dashpot together.
+            let sum = shear.force + self.dashpot.tangential(touch.slide);
+            let sum = if sum > shear.limit { shear.limit } else { sum };
+            let sum = if sum < -shear.limit {
+                -shear.limit
+            } else {
+                sum
+            };
+            sum - shear.force
         };
         Reaction {
             normal: total,
