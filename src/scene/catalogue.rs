@@ -10,10 +10,30 @@ pub struct Preset {
 }
 
 /// All of them, in the order they are shown.
-pub const PRESETS: &[Preset] = &[preset(
-    "two-discs",
-    include_str!("../../presets/two-discs.toml"),
-)];
+pub const PRESETS: &[Preset] = &[
+    preset("disc-pile", include_str!("../../presets/disc-pile.toml")),
+    preset("two-discs", include_str!("../../presets/two-discs.toml")),
+    preset(
+        "nine-disc-compression",
+        include_str!("../../presets/nine-disc-compression.toml"),
+    ),
+    preset(
+        "nine-disc-speed",
+        include_str!("../../presets/nine-disc-speed.toml"),
+    ),
+    preset(
+        "nine-disc-distortion",
+        include_str!("../../presets/nine-disc-distortion.toml"),
+    ),
+    preset(
+        "rolling-disc",
+        include_str!("../../presets/rolling-disc.toml"),
+    ),
+    preset(
+        "square-lattice",
+        include_str!("../../presets/square-lattice.toml"),
+    ),
+];
 
 const fn preset(name: &'static str, text: &'static str) -> Preset {
     Preset { name, text }
