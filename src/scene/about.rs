@@ -33,7 +33,7 @@ pub(crate) const SECTION: Section = Section {
 };
 
 const KEYS: &[Key] = &[
-    text("title", "title"),
+    text("title", "title in lists"),
     text("shows", "one line on what it shows"),
     text("look", "what to watch while it runs"),
     Key {

@@ -53,7 +53,7 @@ const KEYS: &[Key] = &[
         ..number(
             "pull",
             Absent::Flag(false),
-            "choice whether a normal dashpot may pull",
+            "whether a normal dashpot may pull",
         )
     },
     Key {

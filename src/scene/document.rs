@@ -3,7 +3,7 @@
 
 use toml::de::{DeTable, DeValue};
 
-use super::place::{Place, Source};
+use super::place::{Place, Source, quoted};
 use super::problem::Problem;
 
 /// A value with its place.
@@ -143,30 +143,69 @@ fn table(entries: &DeTable<'_>, source: usize, offset: usize) -> Table {
     Table { entries }
 }
 
+/// What to do about the complaints of the parser, by a part of their text.
+const REMEDIES: &[(&str, &str)] = &[
+    (
+        "duplicate key",
+        "each key and each [table] is written once; merge the two, or write [[...]] for a list",
+    ),
+    (
+        "unquoted key",
+        "keys are letters a to z, digits, `_` and `-`; others stand in quotes",
+    ),
+    ("recursion", "no key of a preset is nested that deeply"),
+    (
+        "must be quoted",
+        "give a number, true, false, a list, or a text in straight quotes",
+    ),
+    ("string", "close the quotes on the same line"),
+    (
+        "array",
+        "separate elements with commas and close the list with `]`",
+    ),
+    ("unclosed table", "close the header with `]`"),
+    (
+        "inline table",
+        "write { key = value, key = value } and close it with `}`",
+    ),
+    ("boolean", "write true or false, in small letters"),
+    (
+        "date",
+        "no key of a preset is a date: give a number or a text in quotes",
+    ),
+    ("float", "write numbers like 0.5, -3 or 1e-3"),
+    ("integer", "write numbers like 0.5, -3 or 1e-3"),
+    ("number", "write numbers like 0.5, -3 or 1e-3"),
+    (
+        "",
+        "write lines `key = value` under headers like [model] or [[particle]]; texts need quotes",
+    ),
+];
+
 fn syntax(index: usize, offset: usize, source: &Source, error: &toml::de::Error) -> Problem {
     let span = error.span().unwrap_or(0..0);
     let place = Place::new(index, span.start + offset..span.end + offset);
     let message = error.message();
     let (what, expected) = message.split_once(", ").unwrap_or((message, ""));
-    let duplicate = what.starts_with("duplicate key");
-    let remedy = if duplicate {
-        "each key and each [table] is written once; merge the two, or write [[...]] for a list"
-    } else if what.contains("recursion limit") {
-        "no key of a preset is nested that deeply: flatten it"
-    } else if source.text.len() > 10_000 && !source.text.contains('=') {
-        "this does not look like a preset: a preset is a TOML text with lines `key = value`"
-    } else {
-        "write lines `key = value` under headers like [model] or [[particle]]; texts need quotes"
+    let remedy = REMEDIES
+        .iter()
+        .find(|(part, _)| what.contains(part))
+        .map_or("", |(_, remedy)| remedy);
+    if what == "duplicate key" {
+        // The place alone would be looked up in the wrong text for an override.
+        let key = source.text.get(place.start..place.end).unwrap_or_default();
+        return Problem::new(format!("{} is defined twice", quoted(key)), place)
+            .expected("defined before")
+            .remedy(remedy);
+    }
+    let expected = match (what, expected) {
+        ("string values must be quoted", _) => "expected a value",
+        (_, "expected nothing") => "not expected here",
+        (_, expected) => expected,
     };
-    let what = if duplicate {
-        format!(
-            "{} is defined twice",
-            super::place::quoted(place.written(std::slice::from_ref(source)))
-        )
-    } else {
-        format!("not valid TOML: {what}")
-    };
-    Problem::new(what, place).expected(expected).remedy(remedy)
+    Problem::new(format!("not valid TOML: {what}"), place)
+        .expected(expected)
+        .remedy(remedy)
 }
 
 #[cfg(test)]

@@ -128,7 +128,13 @@ impl<'a> Draft<'a> {
         self.known.follow(command);
         let Known { names, .. } = &self.known;
         match command {
-            Command::Create(_) => self.ever.particles.extend(names.particles.last()),
+            Command::Create(_) => {
+                let newest = names.particles.last().copied().unwrap_or_default();
+                // The number may have been another particle's that was deleted.
+                if let Err(at) = self.ever.particles.binary_search(&newest) {
+                    self.ever.particles.insert(at, newest);
+                }
+            }
             Command::Wall(name, _) if !self.ever.walls.contains(name) => {
                 self.ever.walls.push(name.clone());
             }

@@ -82,12 +82,12 @@ const KEYS: &[Key] = &[
     },
     number(
         "within",
-        Absent::Said("within or within_rel is required"),
+        Absent::Said("required, or within_rel"),
         "accepted difference from `value`",
     ),
     number(
         "within_rel",
-        Absent::Said("within or within_rel is required"),
+        Absent::Said("required, or within"),
         "accepted difference from `value` as a fraction of it",
     ),
     Key {

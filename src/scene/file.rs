@@ -12,8 +12,9 @@ use super::problem::Problem;
 use super::rejection::Rejection;
 use crate::measure::columns::nearest;
 
-/// Largest preset [bytes]: some hundred thousand particles. Larger is not typed but generated.
-const LARGEST: u64 = 64 << 20;
+/// Largest preset [bytes]: more than a hundred thousand particles. Reading takes up to fifty times
+/// as much memory, so that a larger one would be felt.
+const LARGEST: u64 = 16 << 20;
 
 /// The text that a name on the command line stands for. An embedded name comes first, so that it
 /// means the same in every folder; a file of that name is meant by `./NAME`.
@@ -104,7 +105,7 @@ fn suggestion(name: &str) -> String {
     }
     let files = match files.as_slice() {
         [] => String::new(),
-        [few @ ..] if few.len() <= 5 => format!("; files here: {}", few.join(", ")),
+        few if few.len() <= 5 => format!("; files here: {}", few.join(", ")),
         many => format!("; files here: {}, ...", many[..5].join(", ")),
     };
     format!("embedded presets: {}{files}", embedded.join(", "))

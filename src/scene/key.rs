@@ -136,7 +136,8 @@ impl fmt::Display for Form {
         match self {
             Self::Number(bounds) => bounds.fmt(f),
             Self::Vector => f.write_str("[number, number]"),
-            Self::Count(low, high) if *high >= COUNT_MAX => write!(f, "whole number >= {low}"),
+            Self::Count(low, u64::MAX) => write!(f, "whole number from {low} to 2^64 - 1"),
+            Self::Count(low, COUNT_MAX) => write!(f, "whole number from {low} to 2^53"),
             Self::Count(low, high) => write!(f, "whole number from {low} to {high}"),
             Self::Flag => f.write_str("true or false"),
             Self::Text => f.write_str("text in quotes"),

@@ -24,7 +24,7 @@ const KEYS: &[Key] = &[
         Bounds::POSITIVE,
         "kg/m^3",
         Absent::Said("required unless rigid"),
-        "density",
+        "mass per volume",
     ),
     number("young", Bounds::POSITIVE, "Pa", LAW_SAYS, "Young's modulus"),
     number(

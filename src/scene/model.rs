@@ -33,8 +33,7 @@ const KEYS: &[Key] = &[
         form: Form::Word(&["total", "incremental"]),
         unit: "-",
         absent: Absent::Word("total"),
-        summary: "way the normal force follows the overlap: from the overlap itself, or summed \
-                  from increments as in 1979",
+        summary: "normal force from the overlap itself, or summed from increments as in 1979",
     },
     Key {
         name: "body",
@@ -72,7 +71,7 @@ const KEYS: &[Key] = &[
         form: Form::Flag,
         unit: "-",
         absent: Absent::Flag(true),
-        summary: "choice whether particles can turn",
+        summary: "whether particles can turn",
     },
     gravity::KEY,
     Key {
@@ -80,7 +79,7 @@ const KEYS: &[Key] = &[
         form: Form::Word(&["refuse", "allow"]),
         unit: "-",
         absent: Absent::Word("refuse"),
-        summary: "treatment of overlaps at the start above 5 % of the smaller radius",
+        summary: "what happens to overlaps at the start above 5 % of the smaller radius",
     },
     Key {
         name: "fracc_every",
@@ -145,6 +144,8 @@ fn law(reader: &Reader<'_>, body: Body) -> Option<LawChoice> {
             Some("linear") => Some(LawChoice::Linear),
             _ => None,
         },
+        // Which default is meant is not known.
+        (false, _) if reader.has("body") && reader.word("body").is_none() => None,
         (false, Body::Disc) => Some(LawChoice::Linear),
         (false, Body::Sphere) => {
             reader.refuse(

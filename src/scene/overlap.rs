@@ -182,7 +182,9 @@ fn distance(particle: &ParticleSetup, wall: &WallSetup) -> f64 {
 }
 
 fn per_cent(fraction: f64) -> String {
-    format!("{:.3} %", 100.0 * fraction)
+    let digits = format!("{:.6}", 100.0 * fraction);
+    let digits = digits.trim_end_matches('0').trim_end_matches('.');
+    format!("{digits} %")
 }
 
 #[cfg(test)]

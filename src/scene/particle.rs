@@ -24,7 +24,7 @@ const KEYS: &[Key] = &[
     Key {
         form: Form::Number(Bounds::POSITIVE),
         absent: Absent::Wrong,
-        ..vector("radius", "m", "radius")
+        ..vector("radius", "m", "radius of the particle")
     },
     Key {
         form: Form::Text,

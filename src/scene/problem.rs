@@ -14,7 +14,7 @@ pub(crate) struct Problem {
     /// What was expected there, written under the caret.
     pub(crate) expected: String,
     /// A second place that matters and what it is.
-    pub(crate) also: Option<(Place, String)>,
+    pub(crate) also: Option<Box<(Place, String)>>,
     /// What to do about it.
     pub(crate) remedy: String,
 }
@@ -53,7 +53,7 @@ impl Problem {
 
     /// Points at a second place.
     pub(crate) fn also(mut self, place: Place, what: impl Into<String>) -> Self {
-        self.also = Some((place, what.into()));
+        self.also = Some(Box::new((place, what.into())));
         self
     }
 }

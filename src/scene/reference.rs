@@ -5,34 +5,29 @@ use super::key::{Form, Key};
 
 /// All sections and keys as Markdown: what the README shows.
 pub fn reference_table() -> String {
-    let mut text = String::new();
+    let mut lines = Vec::new();
     for section in SECTIONS {
         let required = if section.required { " Required." } else { "" };
-        text.push_str(&format!(
-            "### `{}`\n\n{}.{required}\n\n| key | value | default | meaning |\n|---|---|---|---|\n",
-            section.header("NAME"),
-            capital(section.summary),
-        ));
+        lines.push(format!("### `{}`\n", section.header("NAME")));
+        lines.push(format!("{}.{required}\n", capital(section.summary)));
+        lines.push("| key | value | default | meaning |".to_owned());
+        lines.push("|---|---|---|---|".to_owned());
         for key in section.keys {
-            row(&mut text, "", key);
+            push_rows(&mut lines, "", key);
         }
-        text.push('\n');
+        lines.push(String::new());
     }
-    text.truncate(text.trim_end().len());
-    text.push('\n');
-    text
+    lines.join("\n")
 }
 
-fn row(text: &mut String, within: &str, key: &Key) {
+fn push_rows(lines: &mut Vec<String>, within: &str, key: &Key) {
     let name = format!("{within}{}", key.name);
     let (wanted, absent) = (cell(&key.wanted()), cell(&key.absent.to_string()));
-    text.push_str(&format!(
-        "| `{name}` | {wanted} | {absent} | {} |\n",
-        cell(key.summary)
-    ));
+    let summary = cell(key.summary);
+    lines.push(format!("| `{name}` | {wanted} | {absent} | {summary} |"));
     if let Form::VectorOrTable(keys) = key.form {
         for key in keys {
-            row(text, &format!("{name}."), key);
+            push_rows(lines, &format!("{name}."), key);
         }
     }
 }

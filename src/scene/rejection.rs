@@ -62,20 +62,17 @@ impl Rejection {
         } else {
             Renderer::plain()
         };
-        let mut text = String::new();
-        for problem in self.problems.iter().take(SHOWN) {
-            text.push_str(&renderer.render(&[self.group(problem)]));
-            text.push_str("\n\n");
-        }
+        let shown = self.problems.iter().take(SHOWN);
+        let mut parts: Vec<String> = shown
+            .map(|problem| renderer.render(&[self.group(problem)]))
+            .collect();
         if self.count > SHOWN {
-            let more = self.count - SHOWN;
-            text.push_str(&format!("... and {more} more\n\n"));
+            parts.push(format!("... and {} more", self.count - SHOWN));
         }
-        match self.count {
-            1 => text.truncate(text.trim_end().len()),
-            n => text.push_str(&format!("{n} errors in {}", self.title)),
+        if self.count > 1 {
+            parts.push(format!("{} errors in {}", self.count, self.title));
         }
-        text
+        parts.join("\n\n")
     }
 
     fn group<'a>(&'a self, problem: &'a Problem) -> Group<'a> {
@@ -89,7 +86,7 @@ impl Rejection {
         let mut group = Group::with_title(title);
         let label = AnnotationKind::Primary;
         group = self.point(group, place, label, problem.expected.as_str());
-        if let Some((place, what)) = &problem.also {
+        if let Some((place, what)) = problem.also.as_deref() {
             group = self.point(group, *place, AnnotationKind::Primary, what);
         }
         group.element(help)

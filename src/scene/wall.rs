@@ -16,7 +16,7 @@ pub(crate) const SECTION: Section = Section {
     read,
 };
 
-const EITHER: Absent = Absent::Said("from/to or point/direction is required");
+const EITHER: Absent = Absent::Said("required: from and to, or point and direction");
 
 const KEYS: &[Key] = &[
     Key {

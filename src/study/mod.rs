@@ -1,1 +1,3 @@
-//! study.
+//! Runs about runs: presets against their expectations.
+
+pub mod verify;

@@ -8,12 +8,15 @@
 //! (`model.gravity.g`). Parts with other characters than letters, digits, `_` and `-` are quoted.
 //! The value is TOML; what begins with a letter and is no TOML value is a text.
 
+mod path;
+
 use super::document::{Entry, Node, Table, Value, read_value};
 use super::key::Form;
 use super::place::{Place, Source, quoted};
 use super::problem::Problem;
 use super::section::{Section, Shape};
 use crate::measure::columns::nearest;
+use path::{Part, parts};
 
 /// Applies the option that is source `index` to a document.
 pub(crate) fn apply(document: &mut Table, source: &Source, index: usize) -> Result<(), Problem> {
@@ -31,7 +34,7 @@ pub(crate) fn apply(document: &mut Table, source: &Source, index: usize) -> Resu
         .ok_or_else(|| unknown(first, "table of presets", nearest(&first.text, names)))?;
 
     let table = match section.shape {
-        Shape::Single => single(document, section, first),
+        Shape::Single => Ok(single(document, section, first)),
         Shape::Named | Shape::Listed => {
             let Some(selector) = path.next() else {
                 let example = format!("{}.{}", section.name, selectors(section, document));
@@ -65,72 +68,6 @@ pub(crate) fn apply(document: &mut Table, source: &Source, index: usize) -> Resu
     }
 }
 
-/// A part of a path.
-struct Part {
-    text: String,
-    place: Place,
-}
-
-/// The parts before the `=` and the byte after it.
-fn parts(source: &Source, index: usize) -> Result<(Vec<Part>, usize), Problem> {
-    let text = &source.text;
-    let whole = Place::new(index, 0..text.len());
-    let mut parts = Vec::new();
-    let mut start = 0;
-    let mut quote = None;
-    for (at, c) in text.char_indices() {
-        match (quote, c) {
-            (Some(open), _) if open == c => quote = None,
-            (None, '"' | '\'') => quote = Some(c),
-            (None, '.' | '=') => {
-                parts.push(part(source, index, start, at)?);
-                start = at + 1;
-                if c == '=' {
-                    return Ok((parts, start));
-                }
-            }
-            _ => {}
-        }
-    }
-    Err(Problem::new("the option has no `=`", whole)
-        .expected("expected PATH=VALUE")
-        .remedy("write for instance --set model.frac=0.2"))
-}
-
-fn part(source: &Source, index: usize, start: usize, end: usize) -> Result<Part, Problem> {
-    let written = &source.text[start..end];
-    let text = written.trim();
-    let place = Place::new(index, start..end);
-    let bare = |text: &str| {
-        !text.is_empty()
-            && text
-                .chars()
-                .all(|c| c.is_alphanumeric() || c == '_' || c == '-')
-    };
-    let inner = text
-        .strip_prefix('"')
-        .and_then(|rest| rest.strip_suffix('"'))
-        .or_else(|| {
-            text.strip_prefix('\'')
-                .and_then(|rest| rest.strip_suffix('\''))
-        });
-    match inner {
-        Some(inner) => Ok(Part {
-            text: inner.to_owned(),
-            place,
-        }),
-        None if bare(text) => Ok(Part {
-            text: text.to_owned(),
-            place,
-        }),
-        None => Err(
-            Problem::new(format!("{} is no part of a path", quoted(text)), place)
-                .expected("expected a name or a number")
-                .remedy("write for instance --set material.glass.friction=0.5"),
-        ),
-    }
-}
-
 /// The value after the `=`; a bare word is a text.
 fn value(source: &Source, index: usize, offset: usize) -> Result<Node, Problem> {
     let written = source.text.get(offset..).unwrap_or_default();
@@ -154,7 +91,7 @@ fn value(source: &Source, index: usize, offset: usize) -> Result<Node, Problem> 
 
 type Found<'t> = Result<Option<&'t mut Table>, Problem>;
 
-fn single<'t>(document: &'t mut Table, section: &Section, part: &Part) -> Found<'t> {
+fn single<'t>(document: &'t mut Table, section: &Section, part: &Part) -> Option<&'t mut Table> {
     if document.get(section.name).is_none() {
         put(
             document,
@@ -165,10 +102,7 @@ fn single<'t>(document: &'t mut Table, section: &Section, part: &Part) -> Found<
             },
         );
     }
-    Ok(match document.get_mut(section.name) {
-        Some(entry) => as_table(&mut entry.node),
-        None => None,
-    })
+    as_table(&mut document.get_mut(section.name)?.node)
 }
 
 fn select<'t>(document: &'t mut Table, section: &Section, selector: &Part) -> Found<'t> {
@@ -302,7 +236,7 @@ fn inside(
             put(inside, inner, node);
             Ok(())
         }
-        (Form::VectorOrTable(keys), _) => {
+        (Form::VectorOrTable(keys), _) if keys.iter().all(|known| known.name != inner.text) => {
             let what = format!("key of `{}`", key.text);
             let names = keys.iter().map(|known| known.name);
             Err(unknown(inner, &what, nearest(&inner.text, names)))

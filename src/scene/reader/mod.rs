@@ -1,11 +1,12 @@
 //! Reads one table of a preset by the declarations of its keys. What is wrong goes to the report
 //! and comes back as nothing, so that the caller reads on.
 
+mod complaints;
+
 use super::document::{Entry, Node, Table, Value};
 use super::key::{Absent, Form, Key};
-use super::place::{Place, quoted};
+use super::place::Place;
 use super::problem::{Problem, Report};
-use crate::measure::columns::nearest;
 
 /// A table of the preset under its declaration.
 pub(crate) struct Reader<'a> {
@@ -57,43 +58,10 @@ impl<'a> Reader<'a> {
         }
         for key in keys.iter().filter(|key| key.absent == Absent::Wrong) {
             if !reader.has(key.name) {
-                let missing = format!("{} has no `{}`", reader.title, key.name);
-                report.add(
-                    Problem::new(missing, place)
-                        .expected(format!("`{}` is missing here", key.name))
-                        .remedy(format!(
-                            "add {} = {}: {}",
-                            key.name,
-                            key.wanted(),
-                            key.summary
-                        )),
-                );
+                report.add(reader.missing(key));
             }
         }
         reader
-    }
-
-    fn unknown(&self, entry: &Entry) -> Problem {
-        let near = nearest(&entry.key, self.keys.iter().map(|key| key.name));
-        let elsewhere: Vec<String> = super::SECTIONS
-            .iter()
-            .filter(|section| section.keys.iter().any(|key| key.name == entry.key))
-            .map(|section| section.header("NAME"))
-            .collect();
-        let remedy = match elsewhere.first() {
-            Some(_) => format!("`{}` is a key of {}", entry.key, elsewhere.join(" and of ")),
-            None if near.starts_with("the nearest") => format!("{near}; {}", self.list()),
-            None => near,
-        };
-        let message = format!("{} is no key of {}", quoted(&entry.key), self.title);
-        Problem::new(message, entry.place)
-            .expected("unknown key")
-            .remedy(remedy)
-    }
-
-    fn list(&self) -> String {
-        let names: Vec<&str> = self.keys.iter().map(|key| key.name).collect();
-        format!("there is {}", names.join(", "))
     }
 
     /// Whether nothing was wrong with this table so far.
@@ -306,69 +274,6 @@ impl<'a> Reader<'a> {
             )),
             _ => None,
         }
-    }
-
-    fn listed(
-        &self,
-        key: &Key,
-        words: &'static [&'static str],
-        text: &str,
-        place: Place,
-    ) -> Option<&'static str> {
-        let found = words.iter().copied().find(|&word| word == text);
-        if found.is_none() {
-            let message = format!(
-                "`{}` of {} cannot be {}",
-                key.name,
-                self.title,
-                quoted(text)
-            );
-            self.report.add(
-                Problem::new(message, place)
-                    .expected(format!("expected {}", key.wanted()))
-                    .remedy(nearest(text, words.iter().copied())),
-            );
-        }
-        found
-    }
-
-    /// Reports a value of the wrong kind or size; nothing was read.
-    fn wrong<T>(&self, key: &Key, node: &Node) -> Option<T> {
-        let found = quoted(node.place.written(&self.report.sources));
-        let found = match node.value {
-            Value::Table(_) => "a table".to_owned(),
-            _ => found,
-        };
-        let message = format!("`{}` of {} cannot be {found}", key.name, self.title);
-        let advice = match (&key.form, &node.value) {
-            (Form::Number(_) | Form::Count(..), Value::Text(text))
-                if text.parse::<f64>().is_ok() =>
-            {
-                "numbers stand without quotes; ".to_owned()
-            }
-            (Form::Flag, Value::Text(_)) => "true and false stand without quotes; ".to_owned(),
-            (Form::Vector | Form::VectorOrTable(_), Value::List(items)) if items.len() != 2 => {
-                format!("it has {} elements; ", items.len())
-            }
-            (Form::TwoTexts, Value::List(items)) if items.len() != 2 => {
-                format!("it has {} elements; ", items.len())
-            }
-            (Form::Texts | Form::Words(_), Value::Text(_)) => {
-                "put the text in brackets; ".to_owned()
-            }
-            _ => String::new(),
-        };
-        let default = match &key.absent {
-            Absent::Wrong => String::new(),
-            absent => format!("; when left out: {absent}"),
-        };
-        let remedy = format!("{advice}`{}` is the {}{default}", key.name, key.summary);
-        self.report.add(
-            Problem::new(message, node.place)
-                .expected(format!("expected {}, found {}", key.wanted(), node.kind()))
-                .remedy(remedy),
-        );
-        None
     }
 
     fn node(&self, name: &str) -> Option<&'a Node> {

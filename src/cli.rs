@@ -1,8 +1,0 @@
-//! Command line.
-
-use std::process::ExitCode;
-
-/// Entry.
-pub fn main() -> ExitCode {
-    ExitCode::SUCCESS
-}

@@ -1,0 +1,113 @@
+//! What there is: presets, laws, columns, commands, keys. All from the lists in the code.
+
+use std::fmt::Write;
+
+use super::output::{complain, print};
+use crate::engine::contact::laws::LAWS;
+use crate::language::{COMMANDS, reference_table};
+use crate::measure::columns::{
+    COLUMNS, CONTACT_COLUMNS, Card, PARTICLE_COLUMNS, WALL_COLUMNS, nearest,
+};
+use crate::scene::catalogue::{self, PRESETS};
+use crate::scene::{Scene, reference_table as key_table};
+
+/// Names and titles of the embedded presets.
+pub(super) fn presets() -> u8 {
+    let width = PRESETS
+        .iter()
+        .map(|preset| preset.name.len())
+        .max()
+        .unwrap_or(0);
+    let mut text = String::new();
+    for preset in PRESETS {
+        let about = Scene::parse(preset.name, preset.text, &[]).map(|scene| scene.about);
+        let title = about.map(|about| about.title).unwrap_or_default();
+        let _ = writeln!(text, "{:width$}  {title}", preset.name);
+    }
+    print(&text);
+    0
+}
+
+/// The text of an embedded preset.
+pub(super) fn show(name: &str) -> u8 {
+    if let Some(preset) = catalogue::find(name) {
+        print(preset.text);
+        return 0;
+    }
+    let near = nearest(name, PRESETS.iter().map(|preset| preset.name));
+    complain(&format!("there is no embedded preset {name}; {near}"));
+    super::BAD_INPUT
+}
+
+/// Contact laws with their parameters.
+pub(super) fn laws() -> u8 {
+    let mut text = String::new();
+    for law in LAWS {
+        let _ = writeln!(text, "{}: {}", law.name, law.summary);
+        for parameter in law.parameters {
+            let unit = format!("[{}]", parameter.unit);
+            let _ = writeln!(
+                text,
+                "    {:18} {unit:6} {}",
+                parameter.key, parameter.summary
+            );
+        }
+        let [without, with] = law.memory;
+        let _ = writeln!(
+            text,
+            "    memory per contact: {without} bytes, with friction {with}"
+        );
+        let _ = writeln!(text, "    {}", law.source);
+    }
+    print(&text);
+    0
+}
+
+/// History columns with their units.
+pub(super) fn columns() -> u8 {
+    let mut text = String::new();
+    for (prefix, list) in [
+        ("", COLUMNS),
+        ("wall:NAME:", WALL_COLUMNS),
+        ("contact:I-J:", CONTACT_COLUMNS),
+        ("particle:I:", PARTICLE_COLUMNS),
+    ] {
+        for Card {
+            name,
+            unit,
+            summary,
+            ..
+        } in list
+        {
+            let name = format!("{prefix}{name}");
+            let _ = writeln!(text, "{name:26} {:8} {summary}", format!("[{unit}]"));
+        }
+    }
+    print(&text);
+    0
+}
+
+/// Console commands, or the page of one.
+pub(super) fn commands(name: Option<&str>) -> u8 {
+    let Some(name) = name else {
+        print(&reference_table());
+        return 0;
+    };
+    match crate::language::list::find(name, 0..name.len()) {
+        Ok(card) => {
+            print(&card.page());
+            0
+        }
+        Err(_) => {
+            let near = nearest(name, COMMANDS.iter().map(|card| card.name));
+            complain(&format!("there is no command {name}; {near}"));
+            super::BAD_INPUT
+        }
+    }
+}
+
+/// Keys of a preset.
+pub(super) fn keys() -> u8 {
+    print(&key_table());
+    0
+}

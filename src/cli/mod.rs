@@ -1,0 +1,165 @@
+//! The command line: what can be asked of `ballast` from a shell.
+//!
+//! Standard output carries data only; progress and messages go to standard error. Exit status: 0
+//! done, 1 the run failed with everything recorded so far kept, 2 bad input or usage, 3 `verify`
+//! failed, 128 + signal when interrupted with everything saved.
+
+mod check;
+mod lists;
+mod output;
+mod pages;
+mod progress;
+mod run;
+mod verify;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Args, CommandFactory, Parser, Subcommand};
+
+/// Bad input or usage.
+const BAD_INPUT: u8 = 2;
+/// The run failed; what was recorded is kept.
+const FAILED: u8 = 1;
+
+/// Two-dimensional discrete element simulation of granular material.
+#[derive(Debug, Parser)]
+#[command(name = "ballast", version, about, max_term_width = 100)]
+struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Run a preset or replay a journal, without a screen
+    Run(Run),
+    /// Check a preset; print what is modelled, sizes, time step and its limits, memory, time
+    Check(Check),
+    /// List the embedded presets
+    Presets,
+    /// Print an embedded preset, ready to be edited
+    Show {
+        /// Name of the preset
+        name: String,
+    },
+    /// List the contact laws
+    Laws,
+    /// List the history columns
+    Columns,
+    /// List the console commands, or explain one
+    Commands {
+        /// Command to explain
+        name: Option<String>,
+    },
+    /// List the keys of a preset
+    Keys,
+    /// Run presets against their [[expect]]: PASS, DIFFERS (with the reason) or FAIL
+    Verify(Verify),
+    /// Print completions for a shell
+    Completions {
+        /// bash, zsh, fish, elvish or powershell
+        shell: clap_complete::Shell,
+    },
+    /// Print the manual page
+    Man,
+}
+
+/// Options of `run`.
+#[derive(Debug, Args)]
+struct Run {
+    /// Preset (embedded name or file) or journal
+    #[arg(required_unless_present = "resume")]
+    preset: Option<String>,
+    /// Write the history to this file; - is standard output
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    /// Override a key of the preset, for instance model.frac=0.2
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    set: Vec<String>,
+    /// Seed of everything random
+    #[arg(long, value_name = "N")]
+    seed: Option<u64>,
+    /// Number of threads; the result does not depend on it
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=64))]
+    threads: u16,
+    /// Stop at this cycle
+    #[arg(long, value_name = "N")]
+    cycles: Option<u64>,
+    /// Keep the last checkpoint in this file
+    #[arg(long, value_name = "FILE")]
+    checkpoint: Option<PathBuf>,
+    /// Write the checkpoint every so many seconds
+    #[arg(long, value_name = "SECONDS", value_parser = positive)]
+    every: Option<f64>,
+    /// Go on from a checkpoint
+    #[arg(long, value_name = "FILE")]
+    resume: Option<PathBuf>,
+    /// No progress and no summary
+    #[arg(long, short)]
+    quiet: bool,
+}
+
+/// Options of `check`.
+#[derive(Debug, Args)]
+struct Check {
+    /// Preset (embedded name or file)
+    preset: String,
+    /// Override a key of the preset
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    set: Vec<String>,
+}
+
+/// Options of `verify`.
+#[derive(Debug, Args)]
+struct Verify {
+    /// Presets (embedded names or files); none: those that take less than ten minutes in all
+    presets: Vec<String>,
+    /// Every embedded preset
+    #[arg(long)]
+    all: bool,
+    /// Override a key of every preset
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    set: Vec<String>,
+    /// Number of threads
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=64))]
+    threads: u16,
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(seconds) if seconds > 0.0 && seconds.is_finite() => Ok(seconds),
+        _ => Err("a number of seconds above 0 is expected".into()),
+    }
+}
+
+/// Runs the program.
+pub fn main() -> ExitCode {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) => {
+            let status = if error.use_stderr() { BAD_INPUT } else { 0 };
+            // Nothing is left to be told when even this cannot be printed.
+            drop(error.print());
+            return ExitCode::from(status);
+        }
+    };
+    let status = match cli.command {
+        None => {
+            output::print(&Cli::command().render_long_help().to_string());
+            0
+        }
+        Some(Command::Run(options)) => run::run(&options),
+        Some(Command::Check(options)) => check::check(&options),
+        Some(Command::Presets) => lists::presets(),
+        Some(Command::Show { name }) => lists::show(&name),
+        Some(Command::Laws) => lists::laws(),
+        Some(Command::Columns) => lists::columns(),
+        Some(Command::Commands { name }) => lists::commands(name.as_deref()),
+        Some(Command::Keys) => lists::keys(),
+        Some(Command::Verify(options)) => verify::verify(&options),
+        Some(Command::Completions { shell }) => pages::completions(shell, &mut Cli::command()),
+        Some(Command::Man) => pages::man(Cli::command()),
+    };
+    ExitCode::from(status)
+}
