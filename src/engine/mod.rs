@@ -5,6 +5,7 @@
 
 pub mod bound;
 pub mod contact;
+pub mod contact_report;
 pub mod edit;
 pub mod fault;
 pub mod hash;

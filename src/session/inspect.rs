@@ -1,10 +1,205 @@
 //! INSPECT CONTACT: one contact in full.
 
+use super::figure::{figure, per_cent, vector};
+use super::print::{Carried, LARGE, dashpots, listed};
 use crate::engine::World;
+use crate::engine::contact_report::Other;
+use crate::engine::neighbours::Status;
 use crate::measure::columns::Partner;
+use crate::measure::sample::find_contact;
 
-/// The lines of the answer.
-pub(super) fn contact(world: &mut World, i: u32, _partner: &Partner) -> Vec<String> {
+/// The lines of the answer. Both bodies exist: the command was checked.
+pub(super) fn contact(world: &mut World, i: u32, partner: &Partner) -> Vec<String> {
     world.settle();
-    vec![format!("{i}")]
+    match find_contact(world, i, partner) {
+        Some(k) => listed_contact(world, k),
+        None => vec![far(world, i, partner)],
+    }
+}
+
+/// A pair further apart than TOL.
+fn far(world: &World, id: u32, partner: &Partner) -> String {
+    let particles = world.particles();
+    let other = match partner {
+        Partner::Particle(j) => particles.index(*j).map(Other::Particle),
+        Partner::Wall(name) => {
+            let w = world.walls().iter().position(|wall| wall.name == *name);
+            w.map(Other::Wall)
+        }
+    };
+    let (Some(i), Some(other)) = (particles.index(id), other) else {
+        return format!("ball {id} or its partner does not exist");
+    };
+    format!(
+        "{} are no neighbours: the gap between them is {} m, tol is {} m",
+        names(world, i, other),
+        figure(world.gap(i, other)),
+        figure(world.tol())
+    )
+}
+
+fn names(world: &World, i: usize, other: Other) -> String {
+    let id = world.particles().id[i];
+    match other {
+        Other::Particle(j) => format!("balls {id} and {}", world.particles().id[j]),
+        Other::Wall(w) => format!("ball {id} and wall {}", world.walls()[w].name),
+    }
+}
+
+fn listed_contact(world: &World, k: usize) -> Vec<String> {
+    let (i, other) = world.bodies(k);
+    let g = world.geometry(k);
+    let bodies = names(world, i, other);
+    if !g.distance.is_finite() {
+        // Only at a joint of walls.
+        return vec![format!(
+            "{bodies}: apart, another wall takes the contact at the shared end"
+        )];
+    }
+    let mut rows = vec![
+        ("state", state(world, k)),
+        (
+            "normal",
+            format!("{}, from the ball to its partner", vector(g.e)),
+        ),
+        ("t", vector([g.e[1], -g.e[0]])),
+    ];
+    if let Some(carried) = Carried::of(world, k) {
+        rows.extend(forces(world, k, &carried));
+    }
+    let meeting = world.meeting(k);
+    rows.push((
+        "velocity of the ball against it",
+        format!(
+            "approach {} m/s, along t {} m/s",
+            figure(meeting.approach),
+            figure(meeting.slide)
+        ),
+    ));
+    let s = world.pass().stiffness(k, g.overlap);
+    rows.push((
+        "stiffness",
+        format!(
+            "normal {} N/m, tangential {} N/m",
+            figure(s.k[0]),
+            figure(s.k[1])
+        ),
+    ));
+    rows.push((
+        "dashpots",
+        format!(
+            "{}: normal {} N s/m, tangential {} N s/m",
+            dashpots(world.pair_of(k)),
+            figure(s.c[0]),
+            figure(s.c[1])
+        ),
+    ));
+    rows.push(("largest stable step", steps(world, i, other)));
+    if world.contacts().status[k] != Status::Apart {
+        rows.extend(energies(world, k, g.overlap));
+    }
+    std::iter::once(bodies).chain(listed(&rows)).collect()
+}
+
+fn state(world: &World, k: usize) -> String {
+    match world.contacts().status[k] {
+        Status::Apart => format!("apart by {} m", figure(-world.geometry(k).overlap)),
+        Status::Touching => "touching".into(),
+        Status::Sliding => "touching and sliding".into(),
+    }
+}
+
+fn forces(world: &World, k: usize, carried: &Carried) -> Vec<(&'static str, String)> {
+    let [spring_n, spring_t] = world.springs(k);
+    let pair = world.pair_of(k);
+    let mark = if carried.depth > LARGE {
+        ", more than is small"
+    } else {
+        ""
+    };
+    let split = |total: f64, spring: f64| {
+        format!(
+            "{} N: spring {} N, dashpot {} N",
+            figure(total),
+            figure(spring),
+            figure(total - spring)
+        )
+    };
+    let overlap = format!(
+        "{} m, {} of the smaller diameter{mark}",
+        figure(carried.overlap),
+        per_cent(carried.depth)
+    );
+    let mut rows = vec![
+        ("overlap", overlap),
+        ("n", split(carried.normal, spring_n)),
+        ("t force", split(carried.tangential, spring_t)),
+    ];
+    if world.pass().is_frictional(k) || pair.cohesion > 0.0 {
+        let limit = pair.friction * carried.normal + pair.cohesion;
+        let used = if limit > 0.0 {
+            per_cent(spring_t.abs() / limit)
+        } else {
+            "all".into()
+        };
+        rows.push((
+            "limit mu n + c",
+            format!(
+                "{} N with mu {} and c {} N, {used} of it used",
+                figure(limit),
+                figure(pair.friction),
+                figure(pair.cohesion)
+            ),
+        ));
+    } else {
+        rows.push((
+            "limit mu n + c",
+            "none: this contact has no friction".into(),
+        ));
+    }
+    rows
+}
+
+/// The bound of each of its particles.
+fn steps(world: &World, i: usize, other: Other) -> String {
+    let one = |p: usize| {
+        let (id, step) = (world.particles().id[p], world.stable_step_of(p));
+        if step.is_finite() {
+            let frac = figure(step / world.base_step());
+            format!("ball {id}: {} s, frac {frac}", figure(step))
+        } else {
+            format!("ball {id}: any")
+        }
+    };
+    match other {
+        Other::Particle(j) => format!("{}; {}", one(i), one(j)),
+        Other::Wall(_) => one(i),
+    }
+}
+
+fn energies(world: &World, k: usize, overlap: f64) -> Vec<(&'static str, String)> {
+    let [normal, tangential] = world.pass().energy(k, overlap);
+    let stored = format!(
+        "normal {} J, tangential {} J",
+        figure(normal),
+        figure(tangential)
+    );
+    let mut rows = vec![("energy in the springs", stored)];
+    if world.ledger().is_some() {
+        let book = world.pass().book(k);
+        let lost = format!(
+            "sliding {} J, dashpots {} J",
+            figure(book.friction_loss),
+            figure(book.damping_loss)
+        );
+        rows.push(("lost in the last cycle", lost));
+        let delta = format!("{} m since first touch", figure(book.delta));
+        rows.push(("tangential displacement", delta));
+    } else {
+        rows.push((
+            "losses",
+            "not booked: name energy_error in [history] columns of the preset".into(),
+        ));
+    }
+    rows
 }

@@ -6,16 +6,16 @@ use crate::engine::World;
 
 /// Positions and angles at some cycle.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Reference {
+pub(super) struct Reference {
     /// Cycle at which it was taken.
-    pub cycle: u64,
+    pub(super) cycle: u64,
     ids: Vec<u32>,
     states: Vec<([f64; 2], f64)>,
 }
 
 impl Reference {
     /// The present state.
-    pub fn of(world: &World) -> Self {
+    pub(super) fn of(world: &World) -> Self {
         let particles = world.particles();
         Self {
             cycle: world.cycle_number(),
@@ -25,7 +25,7 @@ impl Reference {
     }
 
     /// Displacement [m] and rotation [rad] since then; `None` for a particle that is newer.
-    pub fn change(&self, world: &World, id: u32) -> Option<([f64; 2], f64)> {
+    pub(super) fn change(&self, world: &World, id: u32) -> Option<([f64; 2], f64)> {
         let then = self.states[self.ids.binary_search(&id).ok()?];
         let now = &world.particles().row[world.particles().index(id)?];
         Some((

@@ -35,6 +35,10 @@ impl Normal for LinearNormal {
     fn energy(&self, overlap: f64, (): &()) -> f64 {
         0.5 * self.k * overlap * overlap
     }
+
+    fn held(&self, overlap: f64, (): &()) -> f64 {
+        self.k * overlap
+    }
 }
 
 /// Normal force summed so far [N].
@@ -82,6 +86,10 @@ impl Normal for IncrementalNormal {
         } else {
             0.0
         }
+    }
+
+    fn held(&self, _: f64, memory: &SummedNormal) -> f64 {
+        memory.0
     }
 }
 

@@ -94,6 +94,8 @@ pub trait Normal: Copy + Send + Sync + 'static {
     fn stiffness(&self, overlap: f64) -> f64;
     /// Energy in the spring [J].
     fn energy(&self, overlap: f64, memory: &Self::Memory) -> f64;
+    /// The spring force at this overlap, or the one the memory holds [N]; memory does not advance.
+    fn held(&self, overlap: f64, memory: &Self::Memory) -> f64;
 }
 
 /// Tangential part of a law.
@@ -144,6 +146,8 @@ pub trait Law: Copy + Send + Sync + 'static {
     fn part(&self, touch: &Touch, memory: &mut Self::Memory) -> f64;
     /// Energies in the normal and the tangential spring [J].
     fn energy(&self, overlap: f64, memory: &Self::Memory) -> [f64; 2];
+    /// Forces of the normal and the tangential spring [N].
+    fn springs(&self, overlap: f64, memory: &Self::Memory) -> [f64; 2];
     /// Stiffness and viscosity.
     fn stiffness(&self, overlap: f64) -> Stiffness;
     /// Whether a friction limit applies.
@@ -214,6 +218,13 @@ impl<N: Normal, T: Tangential, D: Viscosity> Law for Contact<N, T, D> {
         [
             self.normal.energy(overlap, &memory.0),
             self.tangential.energy(&memory.1),
+        ]
+    }
+
+    fn springs(&self, overlap: f64, memory: &Self::Memory) -> [f64; 2] {
+        [
+            self.normal.held(overlap, &memory.0),
+            self.tangential.held(&memory.1),
         ]
     }
 

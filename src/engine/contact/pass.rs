@@ -59,6 +59,8 @@ pub trait ContactPass: Send + Sync {
     fn tangential(&self) -> bool;
     /// Spring energies of a contact with this overlap [J].
     fn energy(&self, k: usize, overlap: f64) -> [f64; 2];
+    /// Spring forces of a contact with this overlap [N]; memory does not advance.
+    fn springs(&self, k: usize, overlap: f64) -> [f64; 2];
     /// Stiffness of a contact with this overlap.
     fn stiffness(&self, k: usize, overlap: f64) -> Stiffness;
     /// Whether a contact has a friction limit.
@@ -370,6 +372,10 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
 
     fn energy(&self, k: usize, overlap: f64) -> [f64; 2] {
         self.laws[k].energy(overlap, &self.memory[k])
+    }
+
+    fn springs(&self, k: usize, overlap: f64) -> [f64; 2] {
+        self.laws[k].springs(overlap, &self.memory[k])
     }
 
     fn stiffness(&self, k: usize, overlap: f64) -> Stiffness {

@@ -1,0 +1,120 @@
+//! Largest, smallest and mean of what balls and contacts show (Randall 1989, 4.6). Of his seven
+//! contact parameters the radius of the touching area and the stresses on it belong to Hertzian
+//! contacts; what every law has is shown.
+
+use super::super::figure::figure;
+use super::contacts::Carried;
+use super::layout::{Table, number, words};
+use super::{balls, contacts};
+use crate::engine::World;
+use crate::language::command::ParticleRange;
+
+/// One parameter of one item: what it is called, its value.
+type Value = (String, f64);
+
+/// Over particles.
+pub(super) fn balls(world: &World, range: Option<ParticleRange>) -> Vec<String> {
+    let chosen = balls::chosen(world, range);
+    if chosen.is_empty() {
+        return balls::none(range);
+    }
+    let rows: [(&str, &str, &dyn Fn(usize) -> f64); 7] = [
+        ("angle", "rad", &|p| world.particles().row[p].angle),
+        ("vx", "m/s", &|p| world.velocity(p).0[0]),
+        ("vy", "m/s", &|p| world.velocity(p).0[1]),
+        ("spin", "rad/s", &|p| world.velocity(p).1),
+        ("Fx", "N", &|p| balls::load(world, p).0[0]),
+        ("Fy", "N", &|p| balls::load(world, p).0[1]),
+        ("moment", "N m", &|p| balls::load(world, p).1),
+    ];
+    let mut table = empty();
+    for (name, unit, value) in rows {
+        let values = chosen.iter();
+        let values = values.map(|&p| (world.particles().id[p].to_string(), value(p)));
+        table.row(row(name, unit, &values.collect::<Vec<_>>()));
+    }
+    with_count("balls", chosen.len(), &table)
+}
+
+/// Over touching contacts.
+pub(super) fn contacts(world: &World, range: Option<ParticleRange>) -> Vec<String> {
+    let chosen = contacts::chosen(world, range);
+    if chosen.is_empty() {
+        return contacts::none(world, range);
+    }
+    let rows: [(&str, &str, fn(&Carried) -> Option<f64>); 5] = [
+        ("n", "N", |c| Some(c.normal)),
+        ("t", "N", |c| Some(c.tangential)),
+        ("angle", "deg", |c| Some(c.angle)),
+        ("|t|/mu n", "-", |c| c.obliquity),
+        ("overlap/d", "-", |c| Some(c.depth)),
+    ];
+    let mut table = empty();
+    for (name, unit, value) in rows {
+        let values = chosen.iter().filter_map(|c| Some((c.bodies(), value(c)?)));
+        table.row(row(name, unit, &values.collect::<Vec<_>>()));
+    }
+    with_count("contacts", chosen.len(), &table)
+}
+
+fn empty() -> Table {
+    Table::new(
+        1,
+        &[
+            words("parameter"),
+            words("unit"),
+            number("largest", ""),
+            words("of"),
+            number("smallest", ""),
+            words("of"),
+            number("mean", ""),
+        ],
+    )
+}
+
+fn with_count(what: &str, count: usize, table: &Table) -> Vec<String> {
+    let mut lines = vec![format!("{what}: {count}")];
+    lines.extend(table.lines());
+    lines
+}
+
+/// A dash everywhere where the parameter is defined nowhere.
+fn row(name: &str, unit: &str, values: &[Value]) -> Vec<String> {
+    let mut cells = vec![name.to_owned(), unit.to_owned()];
+    let (Some(first), count) = (values.first(), values.len()) else {
+        cells.extend(std::iter::repeat_n("-".to_owned(), 5));
+        return cells;
+    };
+    // The first of equals, so that the answer does not depend on more than the numbers.
+    let (mut most, mut least, mut sum) = (first, first, 0.0);
+    for value in values {
+        if value.1 > most.1 {
+            most = value;
+        }
+        if value.1 < least.1 {
+            least = value;
+        }
+        sum += value.1;
+    }
+    for (of, value) in [most, least] {
+        cells.extend([figure(*value), super::layout::name(of)]);
+    }
+    cells.push(figure(sum / count as f64));
+    cells
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn largest_smallest_and_mean() {
+        let values = [("1", 2.0), ("2", -4.0), ("3", 2.0), ("4", 1.0)];
+        let values = values.map(|(of, value)| (of.to_owned(), value));
+        assert_eq!(
+            row("vx", "m/s", &values),
+            ["vx", "m/s", "2", "1", "-4", "2", "0.25"]
+        );
+        assert_eq!(row("vx", "m/s", &[])[2..], ["-"; 5]);
+    }
+}

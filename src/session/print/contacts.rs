@@ -1,0 +1,174 @@
+//! PRINT CONTACTS: the contacts that touch, and what they carry.
+
+use super::super::figure::{figure, per_cent};
+use super::layout::{Table, name, number, optional, words};
+use crate::engine::World;
+use crate::engine::contact_report::Other;
+use crate::engine::neighbours::Status;
+use crate::language::command::ParticleRange;
+
+/// Overlap over the smaller diameter beyond which a contact is marked: contact laws take the
+/// touching area as small (Randall 1989, 4.6).
+pub(in crate::session) const LARGE: f64 = 0.07;
+
+/// A touching contact in numbers.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::session) struct Carried {
+    /// Number of the first particle.
+    pub(in crate::session) first: u32,
+    /// Number of the second, or the name of the wall.
+    pub(in crate::session) second: String,
+    /// Normal force, dashpot included [N].
+    pub(in crate::session) normal: f64,
+    /// Tangential force, dashpot included [N].
+    pub(in crate::session) tangential: f64,
+    /// Overlap [m].
+    pub(in crate::session) overlap: f64,
+    /// Direction of the normal [degrees], 0 to 180.
+    pub(in crate::session) angle: f64,
+    /// Whether the whole contact slid in the last cycle.
+    pub(in crate::session) sliding: bool,
+    /// |T|/(μ N), `None` without friction or load.
+    pub(in crate::session) obliquity: Option<f64>,
+    /// Overlap over the smaller diameter.
+    pub(in crate::session) depth: f64,
+}
+
+impl Carried {
+    /// Listed contact k; `None` while it is apart.
+    pub(in crate::session) fn of(world: &World, k: usize) -> Option<Self> {
+        let list = world.contacts();
+        if list.status[k] == Status::Apart {
+            return None;
+        }
+        let (particles, geometry) = (world.particles(), world.geometry(k));
+        let reaction = world.reaction(k);
+        let (i, other) = world.bodies(k);
+        let radius = particles.row[i].radius;
+        let pair = world.pair_of(k);
+        let limit = pair.friction * reaction.normal;
+        let (second, smaller) = match other {
+            Other::Particle(j) => (
+                particles.id[j].to_string(),
+                radius.min(particles.row[j].radius),
+            ),
+            Other::Wall(w) => (world.walls()[w].name.clone(), radius),
+        };
+        Some(Self {
+            first: particles.id[i],
+            second,
+            normal: reaction.normal,
+            tangential: reaction.tangential,
+            overlap: geometry.overlap,
+            angle: direction(geometry.e),
+            sliding: reaction.sliding,
+            obliquity: (limit > 0.0).then(|| reaction.tangential.abs() / limit),
+            depth: geometry.overlap / (2.0 * smaller),
+        })
+    }
+
+    /// `1-2` or `3-floor`.
+    pub(in crate::session) fn bodies(&self) -> String {
+        format!("{}-{}", self.first, self.second)
+    }
+}
+
+/// Direction of a line along e [degrees], 0 to 180.
+pub(in crate::session) fn direction(e: [f64; 2]) -> f64 {
+    let angle = libm::atan2(e[1], e[0]).to_degrees();
+    let angle = if angle < 0.0 { angle + 180.0 } else { angle };
+    // A tiny negative angle rounds up to the end that does not belong to the range.
+    if angle >= 180.0 { 0.0 } else { angle }
+}
+
+/// The contacts that touch and have a particle in the range, in the order of the list.
+pub(super) fn chosen(world: &World, range: Option<ParticleRange>) -> Vec<Carried> {
+    let ids = &world.particles().id;
+    (0..world.contacts().len())
+        .filter(|&k| {
+            range.is_none_or(|range| match world.bodies(k) {
+                (i, Other::Particle(j)) => range.contains(ids[i]) || range.contains(ids[j]),
+                (i, Other::Wall(_)) => range.contains(ids[i]),
+            })
+        })
+        .filter_map(|k| Carried::of(world, k))
+        .collect()
+}
+
+/// What is said when there are none.
+pub(super) fn none(world: &World, range: Option<ParticleRange>) -> Vec<String> {
+    let near = world.contacts().len();
+    vec![match range {
+        Some(range) => format!("no contact of the particles numbered {range} touches"),
+        None if near == 0 => "nothing touches, and there are no pairs within tol".to_owned(),
+        None => format!("nothing touches; pairs within tol, but not touching: {near}"),
+    }]
+}
+
+/// The table.
+pub(super) fn lines(world: &World, range: Option<ParticleRange>) -> Vec<String> {
+    let chosen = chosen(world, range);
+    if chosen.is_empty() {
+        return none(world, range);
+    }
+    let mut table = Table::new(
+        2,
+        &[
+            number("ball", ""),
+            words("with"),
+            number("n", "N"),
+            number("t", "N"),
+            number("overlap", "m"),
+            number("angle", "deg"),
+            number("|t|/mu n", "-"),
+            number("overlap/d", "-"),
+            words("state"),
+        ],
+    );
+    for c in &chosen {
+        let mark = if c.depth > LARGE { "*" } else { "" };
+        table.row(vec![
+            c.first.to_string(),
+            name(&c.second),
+            figure(c.normal),
+            figure(c.tangential),
+            figure(c.overlap),
+            figure(c.angle),
+            optional(c.obliquity),
+            figure(c.depth) + mark,
+            if c.sliding { "slides" } else { "" }.to_owned(),
+        ]);
+    }
+    let mut lines = table.lines();
+    let deep = chosen.iter().filter(|c| c.depth > LARGE).count();
+    if deep > 0 {
+        lines.push(format!(
+            "* {deep} overlap by more than {} of the smaller diameter d",
+            per_cent(LARGE)
+        ));
+    }
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn directions_lie_in_half_a_turn() {
+        for (e, degrees) in [
+            ([1.0, 0.0], 0.0),
+            ([-1.0, 0.0], 0.0),
+            ([-1.0, -0.0], 0.0),
+            ([1.0, -1e-30], 0.0),
+            ([0.0, 1.0], 90.0),
+            ([0.0, -1.0], 90.0),
+        ] {
+            assert_eq!(direction(e), degrees, "{e:?}");
+        }
+        // One rounding in each of angle and conversion.
+        assert!((direction([1.0, 1.0]) - 45.0).abs() < 1e-13);
+        assert!((direction([-1.0, 1.0]) - 135.0).abs() < 1e-13);
+        assert!((direction([1.0, -1.0]) - 135.0).abs() < 1e-13);
+    }
+}
