@@ -127,8 +127,10 @@ struct Verify {
 }
 
 fn positive(text: &str) -> Result<f64, String> {
+    // Above this a Duration cannot hold it; some thousand years mean never just as well.
+    const LONGEST: f64 = 1e11;
     match text.parse::<f64>() {
-        Ok(seconds) if seconds > 0.0 && seconds.is_finite() => Ok(seconds),
+        Ok(seconds) if seconds > 0.0 => Ok(seconds.min(LONGEST)),
         _ => Err("a number of seconds above 0 is expected".into()),
     }
 }

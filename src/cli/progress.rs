@@ -61,7 +61,7 @@ impl Progress {
                 bar
             });
             if let Some(end) = end {
-                bar.set_length(end - self.first_cycle);
+                bar.set_length(end.saturating_sub(self.first_cycle));
             }
             bar.set_position(cycle - self.first_cycle);
             bar.set_message(format!("{place}cycle {cycle}  {rate:.0}/s"));

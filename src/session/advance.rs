@@ -292,7 +292,13 @@ impl Session {
         self.flush()
     }
 
-    /// Hands everything recorded so far to the files.
+    /// Hands the rows so far to the operating system: others see them from there.
+    pub fn hand_over(&mut self) -> Result<(), RunError> {
+        let csv = self.csv.as_mut();
+        Ok(csv.map_or(Ok(()), crate::record::history::History::flush)?)
+    }
+
+    /// Hands everything recorded so far to the files, and returns once it would survive a power cut.
     pub fn flush(&mut self) -> Result<(), RunError> {
         if let Some(csv) = &mut self.csv {
             csv.sync()?;

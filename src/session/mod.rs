@@ -25,7 +25,6 @@ pub use execute::{By, Reply, Request};
 pub use opening::Options;
 pub use recording::{Recording, Row};
 pub use replay::Replay;
-pub use save::Resumed;
 
 use crate::engine::World;
 use crate::measure::columns::Names;

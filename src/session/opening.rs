@@ -58,6 +58,19 @@ impl Session {
         self.csv = Some(history);
     }
 
+    /// Rows go to the history in `path`, with those so far. A file that is there must be that of this
+    /// run: it is cut back to the rows so far or completed.
+    pub fn go_on_with_history(&mut self, path: &Path) -> Result<(), RunError> {
+        let regular = std::fs::metadata(path).map(|file| file.is_file());
+        // A device or pipe holds nothing to compare with, and reading it might never end.
+        self.csv = Some(if regular.unwrap_or(false) {
+            self.recording.go_on(path, &self.scene.stages)?
+        } else {
+            self.whole_history(path)?
+        });
+        Ok(())
+    }
+
     /// Events go to this file from now on; those so far are written first.
     pub fn write_journal(&mut self, path: &Path) -> Result<(), RunError> {
         self.journal_file = Some(JournalWriter::create(path, &self.journal)?);
@@ -66,13 +79,17 @@ impl Session {
 
     /// Writes every row so far as CSV.
     pub fn export_csv(&self, path: &Path) -> Result<u64, RunError> {
+        self.whole_history(path)?.sync()?;
+        Ok(self.recording.rows().len() as u64)
+    }
+
+    fn whole_history(&self, path: &Path) -> Result<History, RunError> {
         let mut history = History::create(path, &self.recording.names())?;
         for row in self.recording.rows() {
             let stage = self.scene.stages.get(row.stage as usize);
             self.recording
                 .write(row, stage.map_or("", |stage| &stage.name), &mut history)?;
         }
-        history.sync()?;
-        Ok(self.recording.rows().len() as u64)
+        Ok(history)
     }
 }

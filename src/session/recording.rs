@@ -1,13 +1,16 @@
 //! The history in memory: every row of the run, for expectations, charts and export.
 
+use std::path::Path;
+
 use serde::{Deserialize, Serialize};
 
 use crate::language::Term;
 use crate::measure::columns::{Column, Kind};
 use crate::measure::sample::Sample;
 use crate::record::error::RecordError;
-use crate::record::history::History;
+use crate::record::history::{History, Resuming};
 use crate::record::number::Cell;
+use crate::scene::Stage;
 
 /// One row.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -130,10 +133,9 @@ impl Recording {
         });
     }
 
-    /// Writes a row to a history.
-    pub fn write(&self, row: &Row, stage: &str, to: &mut History) -> Result<(), RecordError> {
-        let cells: Vec<Cell<'_>> = self
-            .shown
+    /// Cells of a row: one for each column that is shown.
+    fn cells(&self, row: &Row) -> Vec<Cell<'static>> {
+        self.shown
             .iter()
             .map(|&k| {
                 let bits = row.bits.get(k).copied().unwrap_or(f64::NAN.to_bits());
@@ -144,7 +146,23 @@ impl Recording {
                     Kind::Count | Kind::Real => Cell::Real(value),
                 }
             })
-            .collect();
-        to.row(row.cycle, row.time, stage, &cells)
+            .collect()
+    }
+
+    /// Writes a row to a history.
+    pub fn write(&self, row: &Row, stage: &str, to: &mut History) -> Result<(), RecordError> {
+        to.row(row.cycle, row.time, stage, &self.cells(row))
+    }
+
+    /// Goes on with the history in `path`, which must be that of these rows; `stages` are the names
+    /// of the stages.
+    pub(super) fn go_on(&self, path: &Path, stages: &[Stage]) -> Result<History, RecordError> {
+        let mut resuming = Resuming::open(path, &self.names())?;
+        for row in &self.rows {
+            let stage = stages.get(row.stage as usize);
+            let name = stage.map_or("", |stage| &stage.name);
+            resuming.row(row.cycle, row.time, name, &self.cells(row))?;
+        }
+        resuming.finish()
     }
 }

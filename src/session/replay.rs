@@ -19,6 +19,24 @@ impl Replay {
         }
     }
 
+    /// The rest of a journal for a session that was resumed in the middle of replaying it; `None` if
+    /// what the session did is not how this journal begins.
+    pub fn rest(journal: &Journal, session: &Session) -> Option<Self> {
+        let mut rest = Self::new(journal);
+        let repeated = |event: &Event| {
+            matches!(&event.kind, EventKind::Typed(line)
+                if Command::parse(line).is_ok_and(|command| is_repeated(&command)))
+        };
+        for done in session.journal.events.iter().filter(|event| repeated(event)) {
+            let next = rest.events.iter().position(repeated)?;
+            if rest.events[next] != *done {
+                return None;
+            }
+            rest.events.drain(..=next);
+        }
+        Some(rest)
+    }
+
     /// Cycle of its end, if it came to one.
     pub fn end(&self) -> Option<u64> {
         self.events
@@ -73,10 +91,14 @@ impl Session {
             refusal,
         };
         let command = Command::parse(line).map_err(|mistake| refused(mistake.into()))?;
-        // How far to run is told by the cycles of the journal itself.
-        if command.runs_cycles() || matches!(command, Command::Pause) {
+        if !is_repeated(&command) {
             return Ok(());
         }
         self.execute(&command, By::User).map(drop).map_err(refused)
     }
+}
+
+/// How far to run is told by the cycles of the journal itself.
+fn is_repeated(command: &Command) -> bool {
+    !command.runs_cycles() && !matches!(command, Command::Pause)
 }

@@ -17,8 +17,6 @@ use crate::scene::Scene;
 struct Saved {
     journal: Journal,
     averages_only: bool,
-    /// Bytes of the CSV file that belong to the state.
-    position: Option<u64>,
     course: Course,
     recording: Recording,
     reference: Reference,
@@ -30,41 +28,35 @@ struct Saved {
 struct Saving<'a> {
     journal: &'a Journal,
     averages_only: bool,
-    position: Option<u64>,
     course: &'a Course,
     recording: &'a Recording,
     reference: &'a Reference,
     world: &'a World,
 }
 
-/// A session read from a checkpoint.
-pub struct Resumed {
-    /// The session.
-    pub session: Session,
-    /// Bytes of the CSV file that belong to it, if one was written.
-    pub position: Option<u64>,
-}
-
 impl Session {
-    /// Writes a checkpoint; changes nothing.
+    /// Writes a checkpoint; changes nothing. Rows are handed to their file first, so that a killed
+    /// process leaves no checkpoint behind that is ahead of it.
     pub fn save(&mut self, path: &Path) -> Result<(), RunError> {
+        if let Some(csv) = &mut self.csv {
+            csv.flush()?;
+        }
+        self.save_state(path)
+    }
+
+    /// Writes a checkpoint whatever becomes of the rows, for instance because their disk is full: the
+    /// checkpoint holds them too.
+    pub fn save_state(&mut self, path: &Path) -> Result<(), RunError> {
         let bytes = self.encode()?;
         crate::record::whole_file::write(path, &bytes)?;
         Ok(())
     }
 
     fn encode(&mut self) -> Result<Vec<u8>, RunError> {
-        if let Some(csv) = &mut self.csv {
-            csv.flush()?;
-        }
         self.world.pack();
         let bytes = checkpoint::encode(&Saving {
             journal: &self.journal,
             averages_only: self.averages_only,
-            position: self
-                .csv
-                .as_ref()
-                .map(crate::record::history::History::position),
             course: &self.course,
             recording: &self.recording,
             reference: &self.reference,
@@ -95,12 +87,11 @@ impl Session {
     }
 
     /// Reads a checkpoint.
-    pub fn resume(path: &Path, threads: usize) -> Result<Resumed, RunError> {
+    pub fn resume(path: &Path, threads: usize) -> Result<Self, RunError> {
         let saved: Saved = checkpoint::read(path)?;
         let Saved {
             journal,
             averages_only,
-            position,
             course,
             recording,
             reference,
@@ -126,7 +117,7 @@ impl Session {
                 journal.program
             )));
         }
-        let session = Self {
+        Ok(Self {
             scene,
             world,
             course,
@@ -138,14 +129,13 @@ impl Session {
             averages_only,
             reference,
             safe: Vec::new(),
-        };
-        Ok(Resumed { session, position })
+        })
     }
 
     /// Takes the state of a checkpoint over; files and the journal of this session go on.
     pub(super) fn restore(&mut self, path: &Path) -> Result<(), RunError> {
         let threads = self.world.threads();
-        let Resumed { session, .. } = Self::resume(path, threads)?;
+        let session = Self::resume(path, threads)?;
         let events: Vec<Event> = std::mem::take(&mut self.journal.events);
         let same = session.journal.preset_text == self.journal.preset_text
             && session.journal.overrides == self.journal.overrides;

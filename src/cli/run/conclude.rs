@@ -1,0 +1,233 @@
+//! How a run ended: what is saved, what is said, which exit status.
+
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use super::files::Files;
+use crate::cli::output::{complain, tell};
+use crate::cli::{FAILED, Run};
+use crate::record::error::RecordError;
+use crate::record::interrupt::Signal;
+use crate::record::journal::EventKind;
+use crate::session::{RunError, Session};
+
+/// How the run ended.
+pub(super) enum End {
+    Done,
+    Signal(Signal),
+    Failed(RunError),
+}
+
+/// Saves what there is to save and says how it went; answers the exit status.
+pub(super) fn conclude(
+    session: &mut Session,
+    options: &Run,
+    files: &Files,
+    end: End,
+    elapsed: Duration,
+) -> u8 {
+    match end {
+        End::Done => match finish(session, files) {
+            Ok(()) => {
+                if !options.quiet {
+                    tell(&summary(session, elapsed));
+                }
+                0
+            }
+            Err(error) => failed(session, options, files, &error),
+        },
+        End::Signal(signal) => interrupted(session, options, files, signal),
+        End::Failed(error) => failed(session, options, files, &error),
+    }
+}
+
+/// The checkpoint comes before the last row: a run that goes on from it has no such row there.
+fn finish(session: &mut Session, files: &Files) -> Result<(), RunError> {
+    if let Some(checkpoint) = &files.checkpoint {
+        session.save(checkpoint)?;
+    }
+    session.finish()
+}
+
+fn interrupted(session: &mut Session, options: &Run, files: &Files, signal: Signal) -> u8 {
+    let path = checkpoint(session, files);
+    let rows = session.flush();
+    let saved = session
+        .save_state(&path)
+        .and_then(|()| keep_journal(session, files));
+    if let Err(error) = saved {
+        complain(&format!("{} could not be answered in full", signal.name));
+        complain(&error.to_string());
+        return FAILED;
+    }
+    // The checkpoint holds the rows too.
+    if let Err(error) = rows
+        && !is_closed_pipe(&error)
+    {
+        complain(&error.to_string());
+    }
+    let cycle = session.world().cycle_number();
+    tell(&format!(
+        "{} at cycle {cycle}: everything is saved; go on with\n  {}",
+        signal.name,
+        resume_line(&path, options)
+    ));
+    signal.exit_status()
+}
+
+/// The run cannot go on: keeps everything recorded and the last good state.
+fn failed(session: &mut Session, options: &Run, files: &Files, error: &RunError) -> u8 {
+    if is_closed_pipe(error) {
+        // Whoever read the rows has had enough of them.
+        return 0;
+    }
+    complain(&error.to_string());
+    let path = checkpoint(session, files);
+    let state = match error {
+        RunError::Fault(_) => session.save_safe(&path),
+        _ => session.save_state(&path).map(|()| true),
+    };
+    let good = match state {
+        Ok(saved) => saved || files.checkpoint.is_some(),
+        Err(error) => {
+            complain(&error.to_string());
+            false
+        }
+    };
+    // Each on its own: the journal may fit where the rows do not.
+    let (journal, rows) = (keep_journal(session, files), session.flush());
+    for outcome in [journal, rows] {
+        if let Err(later) = outcome
+            && later.to_string() != error.to_string()
+        {
+            complain(&later.to_string());
+        }
+    }
+    if good {
+        tell(&format!(
+            "what was recorded is kept; {} holds the last good state, go on with\n  {}",
+            path.display(),
+            resume_line(&path, options)
+        ));
+    } else {
+        tell("what was recorded is kept; there is no state to go on from, so start anew");
+    }
+    FAILED
+}
+
+fn is_closed_pipe(error: &RunError) -> bool {
+    matches!(error, RunError::Record(record) if RecordError::is_closed_pipe(record))
+}
+
+/// The journal is beside the CSV already; without one it goes to the current folder.
+fn keep_journal(session: &mut Session, files: &Files) -> Result<(), RunError> {
+    if files.csv.is_none() {
+        session.write_journal(&home(session, "journal"))?;
+    }
+    Ok(())
+}
+
+fn checkpoint(session: &Session, files: &Files) -> PathBuf {
+    let home = || home(session, "ballast");
+    files.checkpoint.clone().unwrap_or_else(home)
+}
+
+fn home(session: &Session, ending: &str) -> PathBuf {
+    PathBuf::from(format!("{}.{ending}", session.scene().name))
+}
+
+/// The command that goes on as this run would have.
+fn resume_line(path: &Path, options: &Run) -> String {
+    let mut line = "ballast run".to_owned();
+    let mut word = |text: &str| {
+        line.push(' ');
+        line.push_str(&quoted(text));
+    };
+    if let Some(preset) = &options.preset
+        && Path::new(preset).extension().is_some_and(|ending| ending == "journal")
+    {
+        word(preset);
+    }
+    word("--resume");
+    word(&path.to_string_lossy());
+    for (option, value) in [
+        ("--csv", &options.csv),
+        ("--checkpoint", &options.checkpoint),
+    ] {
+        if let Some(value) = value {
+            word(option);
+            word(&value.to_string_lossy());
+        }
+    }
+    let threads = (options.threads > 1).then(|| options.threads.to_string());
+    for (option, value) in [
+        ("--every", options.every.map(|seconds| seconds.to_string())),
+        ("--cycles", options.cycles.map(|cycles| cycles.to_string())),
+        ("--threads", threads),
+    ] {
+        if let Some(value) = value {
+            word(option);
+            word(&value);
+        }
+    }
+    line
+}
+
+/// A word that a shell takes as it is, quoted if need be.
+fn quoted(text: &str) -> String {
+    let plain = |c: char| c.is_alphanumeric() || "-_./+,:@%".contains(c);
+    if !text.is_empty() && text.chars().all(plain) {
+        text.to_owned()
+    } else {
+        format!("'{}'", text.replace('\'', "'\\''"))
+    }
+}
+
+fn summary(session: &Session, elapsed: Duration) -> String {
+    let world = session.world();
+    let rows = session.recording().rows().len();
+    let mut text = format!(
+        "{} cycles, {:.6e} s simulated, {rows} rows, {:.2} s",
+        world.cycle_number(),
+        world.time(),
+        elapsed.as_secs_f64()
+    );
+    let monitor = world.fracc_monitor();
+    if let Some((cycle, particle, fracc)) = monitor.worst {
+        // A String takes every line.
+        let _ = write!(
+            text,
+            "\nFRACC above 0.3 in {} cycles, worst {fracc:.3} at cycle {cycle} by particle \
+             {particle}; consider a smaller frac",
+            monitor.warnings
+        );
+    }
+    let commands = session.journal().events.iter();
+    let stages = commands
+        .filter(|event| matches!(event.kind, EventKind::Stage(_)))
+        .count();
+    if stages > 0 {
+        let plural = if stages == 1 { "" } else { "s" };
+        let _ = write!(text, "\n{stages} stage{plural} done");
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_come_through_a_shell_as_they_are() {
+        for (text, expected) in [
+            ("out/run-1.csv", "out/run-1.csv"),
+            ("my run.csv", "'my run.csv'"),
+            ("a'b", "'a'\\''b'"),
+            ("", "''"),
+            ("$HOME", "'$HOME'"),
+        ] {
+            assert_eq!(quoted(text), expected);
+        }
+    }
+}

@@ -1,0 +1,148 @@
+//! What is run: a preset, a journal or a checkpoint.
+
+use std::path::Path;
+
+use crate::cli::output::{complain, load, reject, tell};
+use crate::cli::{BAD_INPUT, FAILED, Run};
+use crate::record::journal::{Journal, looks_like_journal};
+use crate::scene::Scene;
+use crate::session::{Options, Replay, Session};
+
+/// A session ready to run.
+pub(super) struct Prepared {
+    pub(super) session: Session,
+    pub(super) replay: Option<Replay>,
+    /// Whether it goes on from a checkpoint.
+    pub(super) resumed: bool,
+}
+
+/// Reads and checks everything; no file is touched. Answers the exit status if something is wrong.
+pub(super) fn prepare(options: &Run) -> Result<Prepared, u8> {
+    let mut set = options.set.clone();
+    set.extend(options.seed.map(|seed| format!("model.seed={seed}")));
+    let name = options.preset.as_deref().unwrap_or_default();
+    let journal = journal(name)?;
+    let prepared = match &options.resume {
+        Some(path) => resume(path, options, journal.as_ref(), &set)?,
+        None => begin(name, options, journal.as_ref(), &set)?,
+    };
+    let session = &prepared.session;
+    if session.scene().stages.is_empty() && options.cycles.is_none() {
+        let wanted = match &prepared.replay {
+            None => Some(format!("{} has no [[stage]]", session.scene().name)),
+            Some(replay) if replay.end().is_none() => {
+                Some(format!("{name} has no end and its preset no [[stage]]"))
+            }
+            Some(_) => None,
+        };
+        if let Some(wanted) = wanted {
+            complain(&format!("{wanted}; say how far to run with --cycles N"));
+            return Err(BAD_INPUT);
+        }
+    }
+    Ok(prepared)
+}
+
+fn begin(
+    name: &str,
+    options: &Run,
+    journal: Option<&Journal>,
+    set: &[String],
+) -> Result<Prepared, u8> {
+    let scene = match journal {
+        None => load(name, set).ok_or(BAD_INPUT)?,
+        Some(journal) => {
+            let overrides = [&journal.overrides, set].concat();
+            let parsed = Scene::parse(&journal.preset_name, &journal.preset_text, &overrides);
+            parsed.map_err(|rejection| {
+                reject(&rejection);
+                BAD_INPUT
+            })?
+        }
+    };
+    let opened = Session::open(
+        scene,
+        Options {
+            threads: usize::from(options.threads),
+            ..Options::default()
+        },
+    );
+    let session = opened.map_err(|error| {
+        complain(&error.to_string());
+        FAILED
+    })?;
+    Ok(Prepared {
+        session,
+        replay: journal.map(Replay::new),
+        resumed: false,
+    })
+}
+
+/// The journal of this path, if it is one.
+fn journal(path: &str) -> Result<Option<Journal>, u8> {
+    let Ok(text) = std::fs::read_to_string(path) else {
+        return Ok(None);
+    };
+    if !looks_like_journal(&text) {
+        return Ok(None);
+    }
+    let journal = Journal::parse(&text).map_err(|error| {
+        complain(&format!("{path}: {error}"));
+        BAD_INPUT
+    })?;
+    if journal.cut {
+        tell(&format!("{path}: the last line is cut off and left out"));
+    }
+    Ok(Some(journal))
+}
+
+fn resume(
+    path: &Path,
+    options: &Run,
+    journal: Option<&Journal>,
+    set: &[String],
+) -> Result<Prepared, u8> {
+    let refuse = |message: &str| {
+        complain(&format!("{}: {message}", path.display()));
+        BAD_INPUT
+    };
+    let threads = usize::from(options.threads);
+    let session = Session::resume(path, threads).map_err(|error| {
+        complain(&error.to_string());
+        BAD_INPUT
+    })?;
+    let scene = session.scene();
+    if !set.is_empty() && !scene.overrides.ends_with(set) {
+        return Err(refuse(
+            "a resumed run keeps its preset; leave --set and --seed out, or start anew",
+        ));
+    }
+    let another = |name: &str| {
+        let own = &scene.name;
+        refuse(&format!(
+            "it is of preset {own}, and {name} is another; leave the preset out"
+        ))
+    };
+    let replay = match (&options.preset, journal) {
+        (None, _) => None,
+        (Some(name), None) => {
+            if load(name, &scene.overrides).ok_or(BAD_INPUT)?.text != scene.text {
+                return Err(another(name));
+            }
+            None
+        }
+        (Some(name), Some(journal)) => {
+            let same = journal.preset_text == scene.text
+                && scene.overrides == [&journal.overrides, set].concat();
+            let rest = same.then(|| Replay::rest(journal, &session)).flatten();
+            Some(rest.ok_or_else(|| {
+                refuse(&format!("it was not made by replaying {name}; leave it out"))
+            })?)
+        }
+    };
+    Ok(Prepared {
+        session,
+        replay,
+        resumed: true,
+    })
+}
