@@ -24,15 +24,13 @@ pub(super) fn presets() -> u8 {
         let title = about.map(|about| about.title).unwrap_or_default();
         let _ = writeln!(text, "{:width$}  {title}", preset.name);
     }
-    print(&text);
-    0
+    print(&text)
 }
 
 /// The text of an embedded preset.
 pub(super) fn show(name: &str) -> u8 {
     if let Some(preset) = catalogue::find(name) {
-        print(preset.text);
-        return 0;
+        return print(preset.text);
     }
     let near = nearest(name, PRESETS.iter().map(|preset| preset.name));
     complain(&format!("there is no embedded preset {name}; {near}"));
@@ -59,8 +57,7 @@ pub(super) fn laws() -> u8 {
         );
         let _ = writeln!(text, "    {}", law.source);
     }
-    print(&text);
-    0
+    print(&text)
 }
 
 /// History columns with their units.
@@ -83,21 +80,16 @@ pub(super) fn columns() -> u8 {
             let _ = writeln!(text, "{name:26} {:8} {summary}", format!("[{unit}]"));
         }
     }
-    print(&text);
-    0
+    print(&text)
 }
 
 /// Console commands, or the page of one.
 pub(super) fn commands(name: Option<&str>) -> u8 {
     let Some(name) = name else {
-        print(&reference_table());
-        return 0;
+        return print(&reference_table());
     };
     match crate::language::list::find(name, 0..name.len()) {
-        Ok(card) => {
-            print(&card.page());
-            0
-        }
+        Ok(card) => print(&card.page()),
         Err(_) => {
             let near = nearest(name, COMMANDS.iter().map(|card| card.name));
             complain(&format!("there is no command {name}; {near}"));
@@ -108,6 +100,5 @@ pub(super) fn commands(name: Option<&str>) -> u8 {
 
 /// Keys of a preset.
 pub(super) fn keys() -> u8 {
-    print(&key_table());
-    0
+    print(&key_table())
 }

@@ -1,13 +1,25 @@
 //! The two streams.
 
-use std::io::{IsTerminal, Write};
+use std::io::{ErrorKind, IsTerminal, Write};
+use std::path::Path;
 
+use super::FAILED;
+use crate::record::error::{Attempt, RecordError};
 use crate::scene::{Rejection, Scene};
 
-/// Data, to standard output. A reader that has gone away needs no more of it.
-pub(super) fn print(text: &str) {
+/// Data, to standard output; answers the exit status. A reader that has gone away needs no more of
+/// it.
+pub(super) fn print(text: &str) -> u8 {
     let mut out = std::io::stdout().lock();
-    drop(out.write_all(text.as_bytes()).and_then(|()| out.flush()));
+    let written = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+    match written {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            let path = Path::new("standard output");
+            complain(&RecordError::new(path, Attempt::Write, error).to_string());
+            FAILED
+        }
+        _ => 0,
+    }
 }
 
 /// A message, to standard error.
@@ -23,8 +35,14 @@ pub(super) fn complain(text: &str) {
 
 /// A rejected preset, in colour on a terminal.
 pub(super) fn reject(rejection: &Rejection) {
-    let colour = std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
+    let colour = coloured(&std::io::stderr());
     tell(&rejection.render(colour));
+}
+
+/// Whether a stream takes colours: a terminal whose user has not said no (no-color.org).
+pub(super) fn coloured(stream: &impl IsTerminal) -> bool {
+    let refused = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
+    stream.is_terminal() && !refused
 }
 
 /// Loads a scene, or says what is wrong with it.

@@ -8,8 +8,7 @@ use super::output;
 pub(super) fn completions(shell: clap_complete::Shell, command: &mut Command) -> u8 {
     let mut text = Vec::new();
     clap_complete::generate(shell, command, "ballast", &mut text);
-    output::print(&String::from_utf8_lossy(&text));
-    0
+    output::print(&String::from_utf8_lossy(&text))
 }
 
 /// The manual page in roff.
@@ -19,6 +18,5 @@ pub(super) fn man(command: Command) -> u8 {
         output::complain(&format!("the manual page cannot be made: {error}"));
         return super::FAILED;
     }
-    output::print(&String::from_utf8_lossy(&text));
-    0
+    output::print(&String::from_utf8_lossy(&text))
 }

@@ -5,7 +5,7 @@ use std::io;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXFSZ};
 use signal_hook::flag;
 
 /// A signal that asks the program to end.
@@ -66,6 +66,9 @@ impl Interrupt {
             }
             flag::register_usize(signal.number, Arc::clone(&number), signal.number as usize)?;
         }
+        // Caught so that a file at the limit of `ulimit -f` fails to be written like one on a full
+        // disk, instead of ending the process.
+        flag::register(SIGXFSZ, Arc::default())?;
         Ok(Self { number })
     }
 

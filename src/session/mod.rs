@@ -51,8 +51,8 @@ pub struct Session {
     averages_only: bool,
     /// State that displacements are measured from.
     reference: Reference,
-    /// State at the start of the stage, for a run that goes wrong.
-    safe: Vec<u8>,
+    /// Cycle and checkpoint of the start of the stage, for a run that goes wrong.
+    safe: Option<(u64, Vec<u8>)>,
 }
 
 impl Session {

@@ -49,7 +49,7 @@ impl Session {
             notices: Vec::new(),
             averages_only: false,
             reference,
-            safe: Vec::new(),
+            safe: None,
         })
     }
 

@@ -27,7 +27,12 @@ impl Replay {
             matches!(&event.kind, EventKind::Typed(line)
                 if Command::parse(line).is_ok_and(|command| is_repeated(&command)))
         };
-        for done in session.journal.events.iter().filter(|event| repeated(event)) {
+        for done in session
+            .journal
+            .events
+            .iter()
+            .filter(|event| repeated(event))
+        {
             let next = rest.events.iter().position(repeated)?;
             if rest.events[next] != *done {
                 return None;

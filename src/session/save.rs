@@ -69,21 +69,25 @@ impl Session {
     /// Remembers the state at the start of a stage. Not before something was recorded: then the
     /// preset itself is the way back.
     pub(super) fn keep_safe(&mut self) {
-        if self.world.cycle_number() > 0
+        let cycle = self.world.cycle_number();
+        if cycle > 0
             && let Ok(bytes) = self.encode()
         {
-            self.safe = bytes;
+            self.safe = Some((cycle, bytes));
         }
     }
 
-    /// After a fault: writes the state at the start of the stage, if there was one. Answers whether
-    /// it did.
-    pub fn save_safe(&self, path: &Path) -> Result<bool, RunError> {
-        if self.safe.is_empty() {
-            return Ok(false);
+    /// Cycle at which the stage began, if its state was kept.
+    pub fn safe_cycle(&self) -> Option<u64> {
+        self.safe.as_ref().map(|(cycle, _)| *cycle)
+    }
+
+    /// After a fault: writes the state at the start of the stage, if there was one.
+    pub fn save_safe(&self, path: &Path) -> Result<(), RunError> {
+        match &self.safe {
+            None => Ok(()),
+            Some((_, bytes)) => Ok(crate::record::whole_file::write(path, bytes)?),
         }
-        crate::record::whole_file::write(path, &self.safe)?;
-        Ok(true)
     }
 
     /// Reads a checkpoint.
@@ -128,7 +132,7 @@ impl Session {
             notices: Vec::new(),
             averages_only,
             reference,
-            safe: Vec::new(),
+            safe: None,
         })
     }
 

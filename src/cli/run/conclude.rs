@@ -23,7 +23,7 @@ pub(super) enum End {
 pub(super) fn conclude(
     session: &mut Session,
     options: &Run,
-    files: &Files,
+    files: &mut Files,
     end: End,
     elapsed: Duration,
 ) -> u8 {
@@ -43,10 +43,8 @@ pub(super) fn conclude(
 }
 
 /// The checkpoint comes before the last row: a run that goes on from it has no such row there.
-fn finish(session: &mut Session, files: &Files) -> Result<(), RunError> {
-    if let Some(checkpoint) = &files.checkpoint {
-        session.save(checkpoint)?;
-    }
+fn finish(session: &mut Session, files: &mut Files) -> Result<(), RunError> {
+    files.save(session)?;
     session.finish()
 }
 
@@ -84,17 +82,17 @@ fn failed(session: &mut Session, options: &Run, files: &Files, error: &RunError)
     }
     complain(&error.to_string());
     let path = checkpoint(session, files);
-    let state = match error {
-        RunError::Fault(_) => session.save_safe(&path),
-        _ => session.save_state(&path).map(|()| true),
-    };
-    let good = match state {
-        Ok(saved) => saved || files.checkpoint.is_some(),
-        Err(error) => {
-            complain(&error.to_string());
-            false
+    let kept = match error {
+        RunError::Fault(_) => before_fault(session, files, &path),
+        _ => {
+            let cycle = session.world().cycle_number();
+            session.save_state(&path).map(|()| Some(cycle))
         }
     };
+    let good = kept.unwrap_or_else(|error| {
+        complain(&error.to_string());
+        None
+    });
     // Each on its own: the journal may fit where the rows do not.
     let (journal, rows) = (keep_journal(session, files), session.flush());
     for outcome in [journal, rows] {
@@ -104,9 +102,9 @@ fn failed(session: &mut Session, options: &Run, files: &Files, error: &RunError)
             complain(&later.to_string());
         }
     }
-    if good {
+    if let Some(cycle) = good {
         tell(&format!(
-            "what was recorded is kept; {} holds the last good state, go on with\n  {}",
+            "what was recorded is kept; {} holds cycle {cycle}, go on from there with\n  {}",
             path.display(),
             resume_line(&path, options)
         ));
@@ -114,6 +112,17 @@ fn failed(session: &mut Session, options: &Run, files: &Files, error: &RunError)
         tell("what was recorded is kept; there is no state to go on from, so start anew");
     }
     FAILED
+}
+
+/// Cycle of the latest state before a fault, now in `path`: the start of the stage or a checkpoint
+/// made since.
+fn before_fault(session: &Session, files: &Files, path: &Path) -> Result<Option<u64>, RunError> {
+    let safe = session.safe_cycle();
+    if files.saved >= safe {
+        return Ok(files.saved);
+    }
+    session.save_safe(path)?;
+    Ok(safe)
 }
 
 fn is_closed_pipe(error: &RunError) -> bool {
@@ -145,7 +154,9 @@ fn resume_line(path: &Path, options: &Run) -> String {
         line.push_str(&quoted(text));
     };
     if let Some(preset) = &options.preset
-        && Path::new(preset).extension().is_some_and(|ending| ending == "journal")
+        && Path::new(preset)
+            .extension()
+            .is_some_and(|ending| ending == "journal")
     {
         word(preset);
     }
@@ -199,7 +210,7 @@ fn summary(session: &Session, elapsed: Duration) -> String {
         let _ = write!(
             text,
             "\nFRACC above 0.3 in {} cycles, worst {fracc:.3} at cycle {cycle} by particle \
-             {particle}; consider a smaller frac",
+             {particle}; a smaller frac would resolve such changes of force better",
             monitor.warnings
         );
     }

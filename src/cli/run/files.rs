@@ -6,7 +6,7 @@ use std::time::Duration;
 use super::prepare::Prepared;
 use crate::cli::Run;
 use crate::record::history::History;
-use crate::session::RunError;
+use crate::session::{RunError, Session};
 
 /// With `--csv FILE` a checkpoint is kept beside it this often unless `--every` says otherwise.
 const USUAL: Duration = Duration::from_secs(60);
@@ -23,12 +23,17 @@ pub(super) struct Files {
     pub(super) checkpoint: Option<PathBuf>,
     /// Time between checkpoints.
     pub(super) period: Duration,
+    /// Cycle of the last checkpoint written.
+    pub(super) saved: Option<u64>,
 }
 
 impl Files {
     /// Chooses the files; or says which two would be one.
     pub(super) fn choose(options: &Run, prepared: &Prepared) -> Result<Self, String> {
-        let stdout = options.csv.as_ref().is_some_and(|csv| csv.as_os_str() == "-");
+        let stdout = options
+            .csv
+            .as_ref()
+            .is_some_and(|csv| csv.as_os_str() == "-");
         let csv = options.csv.clone().filter(|_| !stdout);
         let beside = |ending| csv.as_ref().map(|csv: &PathBuf| csv.with_extension(ending));
         let mut files = Self {
@@ -37,6 +42,7 @@ impl Files {
             checkpoint: options.checkpoint.clone().or_else(|| beside("ballast")),
             period: options.every.map_or(USUAL, Duration::from_secs_f64),
             csv,
+            saved: None,
         };
         let input = options.preset.as_ref().map(PathBuf::from);
         if let (Some(journal), Some(_), Some(input)) = (&files.journal, &prepared.replay, &input)
@@ -88,7 +94,7 @@ impl Files {
 
     /// Makes them. A checkpoint is written at once: a path that cannot be written is better known
     /// now than after a night.
-    pub(super) fn open(&self, prepared: &mut Prepared) -> Result<(), RunError> {
+    pub(super) fn open(&mut self, prepared: &mut Prepared) -> Result<(), RunError> {
         let session = &mut prepared.session;
         let names = session.recording().names();
         if let Some(csv) = &self.csv {
@@ -103,8 +109,14 @@ impl Files {
         if let Some(journal) = &self.journal {
             session.write_journal(journal)?;
         }
+        self.save(session)
+    }
+
+    /// Writes the checkpoint, if one is kept.
+    pub(super) fn save(&mut self, session: &mut Session) -> Result<(), RunError> {
         if let Some(checkpoint) = &self.checkpoint {
             session.save(checkpoint)?;
+            self.saved = Some(session.world().cycle_number());
         }
         Ok(())
     }
@@ -126,5 +138,6 @@ fn whole(path: &Path) -> PathBuf {
         _ => Path::new("."),
     };
     let folder = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
-    path.file_name().map_or(folder.clone(), |name| folder.join(name))
+    path.file_name()
+        .map_or(folder.clone(), |name| folder.join(name))
 }

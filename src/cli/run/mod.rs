@@ -36,7 +36,7 @@ pub(super) fn run(options: &Run) -> u8 {
         Ok(prepared) => prepared,
         Err(status) => return status,
     };
-    let files = match Files::choose(options, &prepared) {
+    let mut files = match Files::choose(options, &prepared) {
         Ok(files) => files,
         Err(clash) => {
             complain(&clash);
@@ -56,20 +56,26 @@ pub(super) fn run(options: &Run) -> u8 {
         }
     }
     let mut progress = Progress::new(&prepared.session, options.cycles, options.quiet);
-    let end = drive(&mut prepared, options, &files, &interrupt, &mut progress);
+    let end = drive(
+        &mut prepared,
+        options,
+        &mut files,
+        &interrupt,
+        &mut progress,
+    );
     progress.clear();
     for notice in prepared.session.take_notices() {
         tell(&notice);
     }
     let elapsed = progress.elapsed();
-    conclude(&mut prepared.session, options, &files, end, elapsed)
+    conclude(&mut prepared.session, options, &mut files, end, elapsed)
 }
 
 /// Runs until the end, whatever it is.
 fn drive(
     prepared: &mut Prepared,
     options: &Run,
-    files: &Files,
+    files: &mut Files,
     interrupt: &Interrupt,
     progress: &mut Progress,
 ) -> End {
@@ -103,22 +109,17 @@ fn drive(
         {
             return End::Done;
         }
-        let kept = match &files.checkpoint {
-            Some(checkpoint) if saved.elapsed() >= files.period => {
-                saved = Instant::now();
-                session.save(checkpoint)
+        if saved.elapsed() >= files.period {
+            if let Err(error) = files.save(session) {
+                return End::Failed(error);
             }
-            _ => Ok(()),
-        };
-        let kept = kept.and_then(|()| {
-            if handed.elapsed() < ROWS {
-                return Ok(());
+            saved = Instant::now();
+        }
+        if handed.elapsed() >= ROWS {
+            if let Err(error) = session.hand_over() {
+                return End::Failed(error);
             }
             handed = Instant::now();
-            session.hand_over()
-        });
-        if let Err(error) = kept {
-            return End::Failed(error);
         }
         progress.show(session);
     }

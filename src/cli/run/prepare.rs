@@ -136,7 +136,9 @@ fn resume(
                 && scene.overrides == [&journal.overrides, set].concat();
             let rest = same.then(|| Replay::rest(journal, &session)).flatten();
             Some(rest.ok_or_else(|| {
-                refuse(&format!("it was not made by replaying {name}; leave it out"))
+                refuse(&format!(
+                    "it was not made by replaying {name}; leave it out"
+                ))
             })?)
         }
     };

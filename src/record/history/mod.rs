@@ -106,9 +106,9 @@ mod tests {
     use std::fs;
     use std::io::ErrorKind;
 
+    use super::*;
     use crate::record::own_process;
     use crate::record::whole_lines::tests::Small;
-    use super::*;
 
     fn columns() -> Vec<String> {
         vec!["kinetic".into(), "state_hash".into()]

@@ -125,9 +125,10 @@ impl Resuming {
         RecordError::Resume {
             path: self.path.clone(),
             message: format!("{place} has `{is}` where the run has `{wanted}`"),
-            remedy: "give --csv the file of the run that made the checkpoint, a new file, or - for \
+            remedy:
+                "give --csv the file of the run that made the checkpoint, a new file, or - for \
                      the later rows alone"
-                .into(),
+                    .into(),
         }
     }
 }
@@ -206,7 +207,10 @@ mod tests {
             (whole.replace("kinetic", "potential"), "its header has"),
             (whole.replace("kinetic", "kinetic,dt"), "its header has"),
             (whole.replace("0.2\n", "0.3\n"), "its row 3 has `0.3"),
-            (whole.replace("0,0.0,", "0,0.5,"), "its row 1 has `0.5` where the run has `0.0`"),
+            (
+                whole.replace("0,0.0,", "0,0.5,"),
+                "its row 1 has `0.5` where the run has `0.0`",
+            ),
             (HEADER.to_owned() + "5,1.0,b,2.5\n", "its row 1 has `5`"),
             ("\u{1}\u{2}".into(), "its header has"),
         ] {

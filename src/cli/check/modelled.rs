@@ -1,0 +1,78 @@
+//! What the scene models, and what it leaves out.
+
+use super::Report;
+use crate::engine::World;
+use crate::engine::setup::{Body, Dashpot, Gravity, LawChoice, NormalForm};
+use crate::language::Command;
+use crate::scene::Scene;
+
+/// Describes it as it is before the first cycle, and which commands of stages change it.
+pub(super) fn describe(report: &mut Report, scene: &Scene, world: &World) {
+    let (model, plan) = (world.model(), world.plan());
+    let (mut yes, mut no) = (Vec::new(), Vec::new());
+    yes.push(match model.body {
+        Body::Disc => "discs of unit length",
+        Body::Sphere => "spheres in a plane",
+    });
+    yes.push(match (model.law, plan.normal) {
+        (LawChoice::Linear, NormalForm::Total) => "linear contacts",
+        (LawChoice::Linear, NormalForm::Incremental) => {
+            "linear contacts with the normal force summed from increments"
+        }
+    });
+    let separate = model.damping.wall.is_some_and(|wall| wall != Dashpot::None)
+        && model.damping.wall != Some(model.damping.contact);
+    let gravity = match model.gravity {
+        Some(Gravity::Centripetal { .. }) => "centripetal gravity",
+        Some(Gravity::Uniform(_)) | None => "gravity",
+    };
+    for (is, what) in [
+        (plan.friction, "friction"),
+        (plan.friction && model.rotation, "rotation"),
+        (plan.dashpots, "contact damping"),
+        (model.damping.global != 0.0, "global damping"),
+        (model.damping.local != 0.0, "local damping"),
+        (model.damping.con1 != 1.0, "con1 damping"),
+        (model.gravity.is_some(), gravity),
+        (!world.walls().is_empty(), "walls"),
+        (plan.ledger, "energy ledger"),
+    ] {
+        if is { &mut yes } else { &mut no }.push(what);
+    }
+    if separate {
+        yes.push("walls damped otherwise");
+    }
+    report.line("modelled", yes.join(", "));
+    let left_out = if no.is_empty() {
+        "nothing".to_owned()
+    } else {
+        no.join(", ")
+    };
+    report.line("not modelled", left_out);
+    let changes: Vec<String> = scene
+        .stages
+        .iter()
+        .flat_map(|stage| {
+            let changing = stage.commands.iter().filter(|c| changes_model(c));
+            changing.map(|command| format!("{command} ({})", stage.name))
+        })
+        .collect();
+    if !changes.is_empty() {
+        report.line("later", changes.join(", "));
+    }
+}
+
+fn changes_model(command: &Command) -> bool {
+    matches!(
+        command,
+        Command::Friction(..)
+            | Command::Property(..)
+            | Command::Frac(_)
+            | Command::Damp(..)
+            | Command::Con1(_)
+            | Command::Gravity(_)
+            | Command::Rotation(_)
+            | Command::Create(_)
+            | Command::Delete(_)
+    )
+}
