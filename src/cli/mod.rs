@@ -67,6 +67,8 @@ enum Command {
 
 /// Options of `run`.
 #[derive(Debug, Args)]
+#[command(override_usage = "ballast run [OPTIONS] <PRESET>\n       \
+                            ballast run [OPTIONS] --resume <FILE> [PRESET]")]
 struct Run {
     /// Preset (embedded name or file) or journal
     #[arg(required_unless_present = "resume")]
@@ -78,19 +80,19 @@ struct Run {
     #[arg(long = "set", value_name = "KEY=VALUE")]
     set: Vec<String>,
     /// Seed of everything random
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     seed: Option<u64>,
     /// Number of threads; the result does not depend on it
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=64))]
+    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=64))]
     threads: u16,
     /// Stop at this cycle
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     cycles: Option<u64>,
     /// Keep the last checkpoint in this file
     #[arg(long, value_name = "FILE")]
     checkpoint: Option<PathBuf>,
     /// Write the checkpoint every so many seconds
-    #[arg(long, value_name = "SECONDS", value_parser = positive)]
+    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true, value_parser = positive)]
     every: Option<f64>,
     /// Go on from a checkpoint
     #[arg(long, value_name = "FILE")]
@@ -122,7 +124,7 @@ struct Verify {
     #[arg(long = "set", value_name = "KEY=VALUE")]
     set: Vec<String>,
     /// Number of threads
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=64))]
+    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=64))]
     threads: u16,
 }
 

@@ -1,6 +1,6 @@
 //! Replaying a journal: the same commands at the same cycles, hence the same bits.
 
-use super::{Budget, By, Progress, RunError, Session};
+use super::{Budget, By, Progress, Refusal, RunError, Session};
 use crate::language::Command;
 use crate::record::journal::{Event, EventKind, Journal};
 
@@ -17,6 +17,16 @@ impl Replay {
         Self {
             events: journal.events.iter().filter(external).cloned().collect(),
         }
+    }
+
+    /// Whether every command of a journal can be read; better known before the first cycle.
+    pub fn check(journal: &Journal) -> Result<(), RunError> {
+        for event in &journal.events {
+            if let EventKind::Typed(line) = &event.kind {
+                Command::parse(line).map_err(|mistake| refused(event.cycle, line, mistake))?;
+            }
+        }
+        Ok(())
     }
 
     /// The rest of a journal for a session that was resumed in the middle of replaying it; `None` if
@@ -90,16 +100,21 @@ impl Session {
     }
 
     fn repeat(&mut self, cycle: u64, line: &str) -> Result<(), RunError> {
-        let refused = |refusal| RunError::Journal {
-            cycle,
-            line: line.to_owned(),
-            refusal,
-        };
-        let command = Command::parse(line).map_err(|mistake| refused(mistake.into()))?;
+        let command = Command::parse(line).map_err(|mistake| refused(cycle, line, mistake))?;
         if !is_repeated(&command) {
             return Ok(());
         }
-        self.execute(&command, By::User).map(drop).map_err(refused)
+        let done = self.execute(&command, By::User);
+        done.map(drop)
+            .map_err(|refusal| refused(cycle, line, refusal))
+    }
+}
+
+fn refused(cycle: u64, line: &str, refusal: impl Into<Refusal>) -> RunError {
+    RunError::Journal {
+        cycle,
+        line: line.to_owned(),
+        refusal: refusal.into(),
     }
 }
 

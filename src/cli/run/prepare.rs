@@ -90,6 +90,10 @@ fn journal(path: &str) -> Result<Option<Journal>, u8> {
         complain(&format!("{path}: {error}"));
         BAD_INPUT
     })?;
+    Replay::check(&journal).map_err(|error| {
+        complain(&format!("{path}: {error}"));
+        BAD_INPUT
+    })?;
     if journal.cut {
         tell(&format!("{path}: the last line is cut off and left out"));
     }

@@ -1,0 +1,141 @@
+//! Every embedded preset that is quick replays against its expectations; and the test can fail.
+
+mod program;
+
+use std::time::{Duration, Instant};
+
+use ballast::scene::{Scene, catalogue};
+use ballast::study::verify::{Verdict, verify};
+use program::{ballast, said};
+
+/// Longest time for all of them together.
+const ALL: Duration = Duration::from_secs(90);
+
+#[test]
+fn quick_presets_meet_their_expectations() {
+    let start = Instant::now();
+    let mut quick = 0;
+    for preset in catalogue::PRESETS {
+        let scene = Scene::load(preset.name, &[]).expect("embedded presets are accepted");
+        if !scene.about.quick {
+            continue;
+        }
+        quick += 1;
+        assert!(
+            scene.expects.len() >= 2,
+            "{} expects too little",
+            preset.name
+        );
+        let outcome = verify(scene, 1, &mut |_| true).expect("it runs");
+        let bad: Vec<_> = outcome
+            .findings
+            .iter()
+            .filter(|finding| finding.verdict == Verdict::Fail)
+            .collect();
+        assert!(
+            outcome.is_good(),
+            "{}: {bad:#?} {:?}",
+            preset.name,
+            outcome.cut_short
+        );
+    }
+    assert!(quick >= 7, "{quick} quick presets");
+    assert!(start.elapsed() < ALL, "they took {:?}", start.elapsed());
+}
+
+#[test]
+fn half_the_stiffness_is_noticed() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let words = [
+        "verify",
+        "nine-disc-compression",
+        "--set",
+        "material.disc.normal_stiffness=0.675e9",
+    ];
+    let output = ballast(folder.path(), &words);
+    assert_eq!(output.status.code(), Some(3), "{}", said(&output));
+    let table = String::from_utf8_lossy(&output.stdout).into_owned();
+    for hint in ["FAIL", "F_eq = k v N dt/2", "5 FAIL"] {
+        assert!(table.contains(hint), "no {hint} in\n{table}");
+    }
+    let good = ballast(folder.path(), &words[..2]);
+    assert_eq!(good.status.code(), Some(0), "{}", said(&good));
+}
+
+#[test]
+fn a_condition_that_never_comes_true_fails() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let set = "stage.press.until=kinetic > 1e9";
+    let output = ballast(folder.path(), &["verify", "two-discs", "--set", set]);
+    assert_eq!(output.status.code(), Some(3), "{}", said(&output));
+    let table = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(table.contains("stage press reached max_cycles"), "{table}");
+}
+
+#[test]
+fn a_difference_that_is_explained_does_not_fail() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let preset = include_str!("../presets/two-discs.toml");
+    let expect = |value: &str, more: &str| {
+        format!(
+            "{preset}\n[[expect]]\nwhat = \"last(cycle)\"\nvalue = {value}\nwithin = 0.5\n{more}"
+        )
+    };
+    let differs = "source = \"a book\"\ndiffers = \"the book counts from zero\"\n\
+                   ours = 2\nours_within = 0.5\n";
+    for (text, status, hint) in [
+        (expect("2", ""), 0, "6 PASS, 0 DIFFERS, 0 FAIL"),
+        (expect("3", ""), 3, "5 PASS, 0 DIFFERS, 1 FAIL"),
+        (expect("3", differs), 0, "5 PASS, 1 DIFFERS, 0 FAIL"),
+        (
+            expect("3", &differs.replace("ours = 2", "ours = 4")),
+            3,
+            "5 PASS, 0 DIFFERS, 1 FAIL",
+        ),
+    ] {
+        std::fs::write(folder.path().join("own.toml"), text).expect("it can be written");
+        let output = ballast(folder.path(), &["verify", "own.toml"]);
+        let table = String::from_utf8_lossy(&output.stdout).into_owned();
+        assert_eq!(
+            output.status.code(),
+            Some(status),
+            "{table}{}",
+            said(&output)
+        );
+        assert!(table.contains(hint), "{table}");
+    }
+    // A preset that expects nothing verifies nothing.
+    let nothing = preset.replace("[[expect]]", "[[stage]]");
+    assert!(nothing.contains("[[stage]]"));
+    let bare = preset
+        .split("[[expect]]")
+        .next()
+        .expect("it has a beginning");
+    std::fs::write(folder.path().join("bare.toml"), bare).expect("it can be written");
+    let output = ballast(folder.path(), &["verify", "bare.toml"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(said(&output).contains("no [[expect]]"));
+}
+
+#[test]
+fn the_table_is_plain_where_there_is_no_terminal() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let output = ballast(folder.path(), &["verify", "two-discs"]);
+    let table = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(!table.contains('\u{1b}'), "{table}");
+    assert_eq!(said(&output), "");
+    // Figures stand below each other.
+    let rows: Vec<&str> = table
+        .lines()
+        .filter(|row| row.contains("contact:"))
+        .collect();
+    let columns: Vec<_> = rows
+        .iter()
+        .map(|row| row.find("at(").or_else(|| row.find("last(")))
+        .collect();
+    assert_eq!(rows.len(), 5);
+    assert!(
+        columns.iter().all(|column| *column == columns[0]),
+        "{table}"
+    );
+}

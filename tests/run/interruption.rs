@@ -1,0 +1,204 @@
+//! Signals: everything is saved, the message says how to go on, and going on gives the same bytes.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Child, Command, Output, Stdio};
+use std::time::{Duration, Instant, SystemTime};
+
+use super::{assert_same, bytes, names, run, said, scenes, text};
+
+/// Starts `ballast run` in the background.
+fn start(folder: &Path, words: &str) -> Child {
+    Command::new(env!("CARGO_BIN_EXE_ballast"))
+        .arg("run")
+        .args(words.split_whitespace())
+        .current_dir(folder)
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program starts")
+}
+
+/// Sends a signal at some moment after the file has appeared, and waits for the end.
+fn end(mut child: Child, signal: &str, folder: &Path, file: &str) -> Output {
+    let begun = Instant::now();
+    while !folder.join(file).exists() {
+        assert!(begun.elapsed() < Duration::from_secs(60), "it never begins");
+        assert!(child.try_wait().expect("it can be asked").is_none());
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    // Any moment of the run will do, and another in every run of the test.
+    let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH);
+    let moment = now.expect("the clock is right").subsec_micros() % 250;
+    std::thread::sleep(Duration::from_millis(u64::from(moment)));
+    kill(&child, signal);
+    child.wait_with_output().expect("it ends")
+}
+
+fn kill(child: &Child, signal: &str) {
+    let line = format!("kill -{signal} {}", child.id());
+    let done = Command::new("sh").args(["-c", &line]).status();
+    assert!(done.expect("there is a shell").success());
+}
+
+/// Runs the command that a message ends with, as its reader would.
+#[track_caller]
+fn obey(folder: &Path, message: &str, more: &str) -> Output {
+    let line = message.lines().last().expect("there is a message");
+    let words = line.strip_prefix("  ballast ").expect("a command to go on");
+    let output = Command::new("sh")
+        .args(["-c", &format!("\"$0\" {words} {more}")])
+        .arg(env!("CARGO_BIN_EXE_ballast"))
+        .current_dir(folder)
+        .output()
+        .expect("there is a shell");
+    assert_eq!(output.status.code(), Some(0), "{line}: {}", said(&output));
+    output
+}
+
+#[test]
+fn each_signal_is_answered_with_everything_saved() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let folder = folder.path();
+    run(folder, &format!("{} --csv whole.csv", scenes::LONG));
+    for (signal, status) in [("INT", 130), ("TERM", 143), ("HUP", 129)] {
+        let csv = format!("{signal}.csv");
+        let child = start(folder, &format!("{} --csv {csv}", scenes::LONG));
+        let output = end(child, signal, folder, &csv);
+        let message = said(&output);
+        assert_eq!(output.status.code(), Some(status), "{message}");
+        assert!(output.stdout.is_empty());
+        for hint in ["everything is saved", "--resume", &format!("SIG{signal}")] {
+            assert!(message.contains(hint), "no `{hint}` in {message}");
+        }
+        assert!(text(folder, &csv).ends_with('\n'));
+        assert!(bytes(folder, &csv).len() < bytes(folder, "whole.csv").len());
+        obey(folder, &message, "");
+        assert_same(&bytes(folder, &csv), &bytes(folder, "whole.csv"), signal);
+    }
+}
+
+#[test]
+fn without_a_history_state_and_journal_go_to_the_current_folder() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let folder = folder.path();
+    // A checkpoint shows that it has begun, wherever it goes.
+    let mark = folder.join("mark");
+    let words = format!("{} --checkpoint", scenes::LONG);
+    let child = start(folder, &format!("{words} mark"));
+    let output = end(child, "TERM", folder, "mark");
+    assert_eq!(output.status.code(), Some(143), "{}", said(&output));
+    assert!(mark.exists());
+    assert_eq!(names(folder), ["mark", "nine-disc-compression.journal"]);
+    fs::remove_file(mark).expect("it is there");
+
+    let mut child = start(folder, scenes::LONG);
+    std::thread::sleep(Duration::from_millis(200));
+    assert!(child.try_wait().expect("it can be asked").is_none());
+    kill(&child, "INT");
+    let output = child.wait_with_output().expect("it ends");
+    let message = said(&output);
+    assert_eq!(output.status.code(), Some(130), "{message}");
+    let files = [
+        "nine-disc-compression.ballast",
+        "nine-disc-compression.journal",
+    ];
+    assert_eq!(names(folder), files);
+    let rest = obey(folder, &message, "--csv end.csv");
+    assert!(rest.stdout.is_empty());
+    run(folder, &format!("{} --csv whole.csv", scenes::LONG));
+    assert_same(
+        &bytes(folder, "end.csv"),
+        &bytes(folder, "whole.csv"),
+        "a history asked for afterwards",
+    );
+}
+
+#[test]
+fn rows_on_standard_output_go_on_where_they_stopped() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let folder = folder.path();
+    let child = start(
+        folder,
+        &format!("{} --csv - --checkpoint mark --threads 2", scenes::LONG),
+    );
+    let output = end(child, "TERM", folder, "mark");
+    let message = said(&output);
+    assert_eq!(output.status.code(), Some(143), "{message}");
+    assert!(
+        message.contains("--csv - --checkpoint mark --threads 2"),
+        "{message}"
+    );
+    let rest = obey(folder, &message, "");
+    let mut both = output.stdout;
+    let header = both
+        .iter()
+        .position(|byte| *byte == b'\n')
+        .expect("a header")
+        + 1;
+    assert_eq!(both[..header], rest.stdout[..header]);
+    both.extend_from_slice(&rest.stdout[header..]);
+    let whole = run(folder, &format!("{} --csv -", scenes::LONG)).stdout;
+    assert_same(&both, &whole, "the two parts");
+}
+
+#[test]
+fn a_killed_process_leaves_whole_rows_a_journal_and_a_checkpoint() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let folder = folder.path();
+    run(folder, &format!("{} --csv whole.csv", scenes::LONG));
+    let whole = text(folder, "whole.csv");
+    let words = format!("{} --csv part.csv --every 0.05", scenes::LONG);
+    let output = end(start(folder, &words), "KILL", folder, "part.csv");
+    assert_eq!(output.status.code(), None, "{}", said(&output));
+
+    let part = text(folder, "part.csv");
+    assert!(
+        part.ends_with('\n') && whole.starts_with(&part),
+        "whole rows"
+    );
+    let again = run(folder, "part.journal --csv -");
+    assert_same(&again.stdout, whole.as_bytes(), "the journal");
+    run(folder, "--resume part.ballast --csv part.csv");
+    assert_same(
+        &bytes(folder, "part.csv"),
+        whole.as_bytes(),
+        "the checkpoint",
+    );
+    // Nothing half written is left over.
+    let files = ["part.ballast", "part.csv", "part.journal"];
+    let left: Vec<String> = names(folder)
+        .into_iter()
+        .filter(|name| !name.starts_with("whole"))
+        .collect();
+    assert!(
+        left.iter()
+            .all(|name| files.contains(&name.as_str()) || name.ends_with(".part"))
+    );
+}
+
+#[test]
+fn names_with_blanks_come_back_quoted() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let folder = folder.path();
+    let inner = folder.join("my runs");
+    fs::create_dir(&inner).expect("it can be made");
+    let child = Command::new(env!("CARGO_BIN_EXE_ballast"))
+        .arg("run")
+        .args(scenes::LONG.split_whitespace())
+        .args(["--csv", "my runs/it's.csv"])
+        .current_dir(folder)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    let output = end(child, "INT", &inner, "it's.csv");
+    obey(folder, &said(&output), "");
+    run(folder, &format!("{} --csv whole.csv", scenes::LONG));
+    assert_same(
+        &bytes(&inner, "it's.csv"),
+        &bytes(folder, "whole.csv"),
+        "blanks and quotes",
+    );
+}
