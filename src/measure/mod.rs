@@ -2,5 +2,6 @@
 
 pub mod assembly;
 pub mod columns;
+pub mod frame;
 pub mod sample;
 pub mod wall_force;

@@ -10,6 +10,7 @@ mod course;
 mod error;
 mod execute;
 pub mod figure;
+pub mod frames;
 mod inspect;
 mod opening;
 mod print;
@@ -17,6 +18,7 @@ mod recording;
 mod reference;
 mod replay;
 mod save;
+pub mod worker;
 
 pub use advance::{Budget, Progress};
 pub use course::Errand;

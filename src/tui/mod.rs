@@ -1,0 +1,15 @@
+//! The workbench: a screen over a running session.
+//!
+//! The screen never holds a world. A worker thread owns the session; the screen draws immutable
+//! frames (the newest wins) and sends orders. What a key does is a row of [`keys::KEYS`], what can
+//! be looked at a row of [`panes::PANES`]; help derives from both.
+
+pub mod app;
+pub mod keys;
+pub mod layout;
+pub mod link;
+pub mod look;
+pub mod panes;
+pub mod prompt;
+pub mod series;
+pub mod view;
