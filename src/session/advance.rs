@@ -66,6 +66,10 @@ impl Session {
     /// One cycle and what belongs to the boundary it arrives at.
     fn cycle(&mut self) -> Result<(), RunError> {
         self.world.cycle()?;
+        assert!(
+            self.panic_at != Some(self.world.cycle_number()),
+            "asked to panic here"
+        );
         let running = self.course.phase == Phase::Running;
         if running {
             self.look_for_stage_end();

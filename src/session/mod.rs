@@ -56,6 +56,8 @@ pub struct Session {
     reference: Reference,
     /// State at the start of the stage, for a run that goes wrong.
     safe: Vec<u8>,
+    /// For tests of what happens then: panic at this cycle.
+    panic_at: Option<u64>,
 }
 
 impl Session {
@@ -136,6 +138,11 @@ impl Session {
                 .collect(),
             particles: self.world.particles().id.clone(),
         }
+    }
+
+    /// For tests of what happens then: panics when this cycle is reached.
+    pub fn panic_at(&mut self, cycle: Option<u64>) {
+        self.panic_at = cycle;
     }
 
     fn note(&mut self, kind: EventKind) -> Result<(), RunError> {

@@ -50,6 +50,7 @@ impl Session {
             averages_only: false,
             reference,
             safe: Vec::new(),
+            panic_at: None,
         })
     }
 

@@ -138,6 +138,7 @@ impl Session {
             averages_only,
             reference,
             safe: Vec::new(),
+            panic_at: None,
         };
         Ok(Resumed { session, position })
     }

@@ -40,13 +40,11 @@ pub enum Order {
     /// At most so many cycles per second; `None`: as fast as possible.
     Pace(Option<f64>),
     /// Another session instead of this one.
-    Replace(Box<Session>, Option<f64>),
+    Replace(Box<Session>, Option<f64>, Option<Keep>),
     /// A frame even if nothing has changed.
     Refresh,
     /// Save the state and end.
     Stop,
-    /// For tests of the program itself: panic in this thread.
-    Panic,
 }
 
 /// What the worker tells the screen.
@@ -209,10 +207,16 @@ impl Desk {
                 self.save();
                 return self.session;
             }
-            if self.running {
-                self.run_batch();
+            let run = std::panic::AssertUnwindSafe(|| {
+                if self.running {
+                    self.run_batch();
+                }
+                self.post();
+            });
+            if let Err(panic) = std::panic::catch_unwind(run) {
+                self.fall(panic.as_ref());
+                return self.session;
             }
-            self.post();
         }
     }
 
@@ -258,8 +262,10 @@ impl Desk {
                 self.pace = pace;
                 self.tell(Report::Pace(pace));
             }
-            Order::Replace(session, pace) => {
+            Order::Replace(session, pace, keep) => {
                 self.save();
+                self.keep = keep;
+                self.running = false;
                 self.session = session;
                 self.shown = Shown::default();
                 self.rate = Rate::default();
@@ -270,7 +276,6 @@ impl Desk {
             }
             Order::Refresh => {}
             Order::Stop => return false,
-            Order::Panic => panic!("ordered to panic"),
         }
         true
     }
@@ -346,6 +351,20 @@ impl Desk {
             self.saved_cycle = Some(self.session.world().cycle_number());
         }
         self.tell(Report::Failed(message));
+    }
+
+    /// A fault of the program itself: keeps what can be kept.
+    fn fall(&mut self, panic: &(dyn std::any::Any + Send)) {
+        let text = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
+        let text = text
+            .or_else(|| panic.downcast_ref::<String>().cloned())
+            .unwrap_or_default();
+        if let Some(keep) = &self.keep {
+            // The journal is complete in any case; the state at the start of the stage is whole.
+            drop(self.session.flush());
+            drop(self.session.save_safe(&keep.checkpoint));
+        }
+        self.tell(Report::Failed(text));
     }
 
     fn tell(&mut self, report: Report) {

@@ -5,11 +5,16 @@
 //! be looked at a row of [`panes::PANES`]; help derives from both.
 
 pub mod app;
+pub mod events;
 pub mod keys;
 pub mod layout;
 pub mod link;
 pub mod look;
+pub mod painter;
 pub mod panes;
+pub mod plain;
 pub mod prompt;
 pub mod series;
+pub mod terminal;
 pub mod view;
+pub mod workbench;
