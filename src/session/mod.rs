@@ -10,6 +10,7 @@ mod course;
 mod error;
 mod execute;
 pub mod figure;
+mod files;
 mod inspect;
 mod opening;
 mod print;
@@ -137,10 +138,11 @@ impl Session {
     }
 
     fn note(&mut self, kind: EventKind) -> Result<(), RunError> {
-        let event = Event {
-            cycle: self.world.cycle_number(),
-            kind,
-        };
+        self.note_at(self.world.cycle_number(), kind)
+    }
+
+    fn note_at(&mut self, cycle: u64, kind: EventKind) -> Result<(), RunError> {
+        let event = Event { cycle, kind };
         let written = self
             .journal_file
             .as_mut()
