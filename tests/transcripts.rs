@@ -71,7 +71,10 @@ impl Transcript {
     }
 
     fn open(&self) -> Session {
-        let named = self.preset.trim().strip_prefix("preset ");
+        let named = self
+            .preset
+            .lines()
+            .find_map(|line| line.strip_prefix("preset "));
         let scene = match named {
             Some(name) => Scene::load(name.trim(), &[]),
             None => Scene::parse("transcript", &self.preset, &[]),

@@ -51,7 +51,7 @@ impl Session {
                 }
             }
             looks += 1;
-            if self.user_turn()? {
+            if self.user_turn() {
                 return Ok(Progress::ErrandDone);
             }
             self.stage_turn()?;
@@ -83,20 +83,20 @@ impl Session {
 
     /// What the user asked for comes before what stages do at the same boundary. True when all of
     /// it is done.
-    fn user_turn(&mut self) -> Result<bool, RunError> {
+    fn user_turn(&mut self) -> bool {
         let Some(errand) = self.course.user_errand.clone() else {
             return if self.course.user_lines.is_empty() {
-                Ok(false)
+                false
             } else {
                 self.user_line()
             };
         };
         if !self.errand_done(&errand) {
-            return Ok(false);
+            return false;
         }
         self.course.user_errand = None;
         if self.course.user_lines.is_empty() {
-            Ok(true)
+            true
         } else {
             self.user_line()
         }
@@ -104,7 +104,7 @@ impl Session {
 
     /// Lines of a sourced file, up to one that runs cycles or pauses. True when nothing is left to
     /// run for. A line that is refused ends the file, not the run.
-    fn user_line(&mut self) -> Result<bool, RunError> {
+    fn user_line(&mut self) -> bool {
         while let Some(line) = self.course.user_lines.pop_front() {
             let command = Command::parse(&line).map_err(Refusal::from);
             match command.and_then(|command| self.execute(&command, By::User)) {
@@ -112,7 +112,7 @@ impl Session {
                     self.notices.push(line);
                     self.notices.extend(reply.lines);
                     if reply.request == Some(Request::Pause) {
-                        return Ok(true);
+                        return true;
                     }
                 }
                 Err(refusal) => {
@@ -122,14 +122,14 @@ impl Session {
                         "`{line}` was refused, and the {left} lines after it are left out: \
                          {refusal}"
                     ));
-                    return Ok(true);
+                    return true;
                 }
             }
             if self.course.user_errand.is_some() {
-                return Ok(false);
+                return false;
             }
         }
-        Ok(true)
+        true
     }
 
     /// Begins stages that are due and issues their commands, until cycles have to run.

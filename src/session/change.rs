@@ -5,7 +5,9 @@ use super::figure::{figure, vector};
 use super::print::prescribed;
 use crate::engine::World;
 use crate::engine::edit::Motion;
-use crate::engine::setup::{Damping, Dashpot, PairOverride, ParticleSetup, Setup, WallSetup};
+use crate::engine::setup::{
+    Damping, Dashpot, Material, PairOverride, ParticleSetup, Setup, WallSetup,
+};
 use crate::engine::wall::Wall;
 use crate::engine::wall_contact;
 use crate::language::Command;
@@ -23,7 +25,7 @@ pub(super) fn world(world: &mut World, command: &Command) -> Result<String, Refu
         Command::Delete(range) => Ok(delete(world, *range)),
         Command::Wall(name, change) => wall(world, name, change),
         Command::Particle(id, change) => particle(world, *id, change),
-        Command::Property(material, key, value) => property(world, material, *key, *value),
+        Command::Property(material, key, value) => Ok(property(world, material, *key, *value)),
         Command::Friction(value, of) => Ok(friction(world, *value, of)),
         Command::Frac(frac) => {
             world.set_frac(*frac);
@@ -227,24 +229,24 @@ fn particle(world: &mut World, id: u32, change: &ParticleChange) -> Result<Strin
         figure(spin)
     );
     if body != [0.0; 2] {
-        text += &format!(", force {} N", vector(body));
+        text.push_str(&[", force ", &vector(body), " N"].concat());
     }
     match prescribed(world.particles().fixed[p]).as_str() {
         "" => {}
         "driven" => text += ", driven",
-        axes => text += &format!(", {axes} prescribed"),
+        axes => text.push_str(&[", ", axes, " prescribed"].concat()),
     }
     Ok(text)
 }
 
-fn property(
-    world: &mut World,
-    material: &str,
-    key: Property,
-    value: f64,
-) -> Result<String, Refusal> {
+fn property(world: &mut World, material: &str, key: Property, value: f64) -> String {
     world.change_materials(|model| {
-        for m in model.materials.iter_mut().filter(|m| m.name == material) {
+        // A wall with friction of its own still is of its material otherwise.
+        let of_wall = format!("{material}@");
+        let is_meant = |m: &&mut Material| {
+            m.name == material || key != Property::Friction && m.name.starts_with(&of_wall)
+        };
+        for m in model.materials.iter_mut().filter(is_meant) {
             match key {
                 Property::Density => m.density = value,
                 Property::Friction => m.friction = value,
@@ -256,11 +258,11 @@ fn property(
             }
         }
     });
-    Ok(format!(
+    format!(
         "{material} {key} = {}, dt = {} s",
         figure(value),
         figure(world.dt())
-    ))
+    )
 }
 
 fn damping(now: Damping, damper: Damper, value: f64) -> Damping {

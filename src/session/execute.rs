@@ -109,15 +109,14 @@ impl Session {
 
     fn carry_out(&mut self, command: &Command, by: By) -> Result<Reply, Refusal> {
         match command {
-            Command::Cycle(n) => self.run_to(Some(*n), None, by),
-            Command::Step(n) => self.run_to(Some(*n), None, by),
+            Command::Cycle(n) | Command::Step(n) => Ok(self.run_to(Some(*n), None, by)),
             Command::Solve(solve) => {
                 let condition = match &solve.goal {
                     Some(Goal::Until(condition)) => condition.to_string(),
                     Some(Goal::Ratio(ratio)) => format!("unbalanced <= {ratio:?}"),
                     None => format!("unbalanced <= {SOLVED:?}"),
                 };
-                self.run_to(solve.max, Some(condition), by)
+                Ok(self.run_to(solve.max, Some(condition), by))
             }
             Command::Go => Ok(Reply::asking("running", Request::Run)),
             Command::Pause => Ok(Reply::asking(
@@ -169,12 +168,7 @@ impl Session {
         }
     }
 
-    fn run_to(
-        &mut self,
-        cycles: Option<u64>,
-        condition: Option<String>,
-        by: By,
-    ) -> Result<Reply, Refusal> {
+    fn run_to(&mut self, cycles: Option<u64>, condition: Option<String>, by: By) -> Reply {
         let from = self.world.cycle_number();
         let until_cycle = cycles.map(|n| from.saturating_add(n));
         let errand = Some(Errand {
@@ -186,10 +180,10 @@ impl Session {
             By::User => self.course.user_errand = errand,
             By::Stage => self.course.errand = errand,
         }
-        Ok(Reply {
+        Reply {
             lines: Vec::new(),
             request: Some(Request::Run),
-        })
+        }
     }
 
     fn print(&mut self, what: &Printout) -> Reply {

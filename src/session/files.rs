@@ -5,10 +5,8 @@ use std::path::{Path, PathBuf};
 use super::execute::{Reply, Request};
 use super::{Refusal, RunError, Session};
 use crate::language::{Command, Known};
+use crate::record::error::{Attempt, RecordError};
 use crate::record::journal::{Event, EventKind};
-
-/// Files that name each other go no deeper.
-const DEEPEST: usize = 8;
 
 impl Session {
     pub(super) fn keep(&mut self, command: &Command) -> Result<Reply, Refusal> {
@@ -75,19 +73,17 @@ struct Reading {
 
 impl Reading {
     fn file(&mut self, path: &Path) -> Result<(), Refusal> {
-        if self.open.len() == DEEPEST {
+        let failed = |error| Refusal::from(RecordError::new(path, Attempt::Read, error));
+        // One name for each file, whichever way it is written.
+        let file = path.canonicalize().map_err(failed)?;
+        if self.open.contains(&file) {
             return Err(Refusal::new(
-                format!("{}: files name each other too deeply", path.display()),
-                format!("at most {DEEPEST} files within each other"),
+                format!("{} is being read already", path.display()),
+                "files cannot source each other in a circle",
             ));
         }
-        let text = std::fs::read_to_string(path).map_err(|error| {
-            Refusal::new(
-                format!("{} cannot be read: {error}", path.display()),
-                "give the path of a text file",
-            )
-        })?;
-        self.open.push(path.to_path_buf());
+        let text = std::fs::read_to_string(path).map_err(failed)?;
+        self.open.push(file);
         for (number, line) in text.lines().enumerate() {
             let bare = line.trim_start();
             if bare.is_empty() || bare.starts_with('#') {
