@@ -103,7 +103,7 @@ pub(super) fn side(wall: &Wall, x: [f64; 2]) -> f64 {
 }
 
 /// Distance from a point to the nearest point of the wall [m].
-pub(super) fn distance(wall: &Wall, x: [f64; 2]) -> f64 {
+pub fn distance(wall: &Wall, x: [f64; 2]) -> f64 {
     let foot = Foot::of(wall, x);
     match foot.beyond {
         None => foot.height.abs(),

@@ -252,7 +252,7 @@ impl World {
         pass.relist(&old, &|k| self.basis(k));
         if let Some(before) = self.pass.take() {
             for k in 0..self.contacts.len() {
-                pass.seed(k, before.reduced(k));
+                pass.seed(k, before.reduced(k), before.book(k));
             }
         }
         self.pass = Some(pass);
@@ -293,7 +293,11 @@ impl World {
             0.0
         };
         let walls = self.wall_materials();
-        self.base_step = time_step::base(&self.model, &self.pairs, &self.particles, &walls);
+        let base = time_step::base(&self.model, &self.pairs, &self.particles, &walls);
+        // When nothing is left that limits the step, the last one goes on: clocks need a number.
+        if base.is_finite() || !self.base_step.is_finite() {
+            self.base_step = base;
+        }
         self.since = (time, self.cycle);
         self.dt = self.model.frac * self.base_step;
         self.mobilise();

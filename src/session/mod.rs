@@ -10,6 +10,7 @@ mod course;
 mod error;
 mod execute;
 pub mod figure;
+mod files;
 pub mod frames;
 mod inspect;
 mod opening;
@@ -146,10 +147,11 @@ impl Session {
     }
 
     fn note(&mut self, kind: EventKind) -> Result<(), RunError> {
-        let event = Event {
-            cycle: self.world.cycle_number(),
-            kind,
-        };
+        self.note_at(self.world.cycle_number(), kind)
+    }
+
+    fn note_at(&mut self, cycle: u64, kind: EventKind) -> Result<(), RunError> {
+        let event = Event { cycle, kind };
         let written = self
             .journal_file
             .as_mut()

@@ -1,4 +1,11 @@
 //! Replaying a journal: the same commands at the same cycles, hence the same bits.
+//!
+//! A command may have been typed before or after a stage began at the same cycle; the order of the
+//! journal tells. How far to run is told by its cycles, not by the commands that asked for them.
+//! Checkpoints that were saved and restored on the way stay in memory: a replay writes no files,
+//! and needs none that the run has made itself.
+
+use std::collections::{BTreeMap, VecDeque};
 
 use super::{Budget, By, Progress, RunError, Session};
 use crate::language::Command;
@@ -7,15 +14,17 @@ use crate::record::journal::{Event, EventKind, Journal};
 /// A journal being replayed.
 #[derive(Debug, Clone)]
 pub struct Replay {
-    events: std::collections::VecDeque<Event>,
+    events: VecDeque<Event>,
+    /// Checkpoints by the name they were saved under.
+    saved: BTreeMap<String, Vec<u8>>,
 }
 
 impl Replay {
-    /// Of a journal. What stages issued they will issue again.
+    /// Of a journal.
     pub fn new(journal: &Journal) -> Self {
-        let external = |event: &&Event| matches!(event.kind, EventKind::Typed(_) | EventKind::End);
         Self {
-            events: journal.events.iter().filter(external).cloned().collect(),
+            events: journal.events.iter().cloned().collect(),
+            saved: BTreeMap::new(),
         }
     }
 
@@ -25,6 +34,12 @@ impl Replay {
             .iter()
             .rfind(|event| event.kind == EventKind::End)
             .map(|event| event.cycle)
+    }
+
+    /// Whether something later was typed, or the run came to its end.
+    fn tells_how_far(&self) -> bool {
+        let mut events = self.events.iter();
+        events.any(|event| matches!(event.kind, EventKind::Typed(_) | EventKind::End))
     }
 }
 
@@ -54,29 +69,44 @@ impl Session {
             if self.world.cycle_number() < due {
                 return Ok(Progress::Budget);
             }
-            let Some(Event {
-                cycle,
-                kind: EventKind::Typed(line),
-            }) = replay.events.pop_front()
-            else {
+            if event.kind == EventKind::End {
                 return Ok(Progress::Finished);
-            };
-            self.repeat(cycle, &line)?;
+            }
+            if let Some(event) = replay.events.pop_front() {
+                self.repeat(event, replay)?;
+            }
         }
         self.advance(budget, false)
     }
 
-    fn repeat(&mut self, cycle: u64, line: &str) -> Result<(), RunError> {
+    fn repeat(&mut self, event: Event, replay: &mut Replay) -> Result<(), RunError> {
+        let Event { cycle, kind } = event;
+        let line = match kind {
+            // The stage issues its commands itself, now if it has not done so yet.
+            EventKind::Stage(_) | EventKind::Staged(_) => return self.stage_turn(),
+            EventKind::End => return Ok(()),
+            EventKind::Typed(line) => line,
+        };
         let refused = |refusal| RunError::Journal {
             cycle,
-            line: line.to_owned(),
+            line: line.clone(),
             refusal,
         };
-        let command = Command::parse(line).map_err(|mistake| refused(mistake.into()))?;
-        // How far to run is told by the cycles of the journal itself.
-        if command.runs_cycles() || matches!(command, Command::Pause) {
-            return Ok(());
+        let command = Command::parse(&line).map_err(|mistake| refused(mistake.into()))?;
+        match &command {
+            // The last thing a run that was killed has been told still holds.
+            command if command.runs_cycles() && replay.tells_how_far() => {}
+            Command::Pause => {}
+            Command::Save(file) => {
+                replay.saved.insert(file.clone(), self.encode()?);
+            }
+            Command::Restore(file) if replay.saved.contains_key(file) => {
+                self.restore_from(&replay.saved[file], file)?;
+            }
+            command => {
+                return self.execute(command, By::User).map(drop).map_err(refused);
+            }
         }
-        self.execute(&command, By::User).map(drop).map_err(refused)
+        self.note_at(cycle, EventKind::Typed(line))
     }
 }
