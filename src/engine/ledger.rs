@@ -9,7 +9,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::World;
-use super::motion::{Drag, Dragged, Free};
+use super::motion::{self, Dragged};
 use super::neighbours::{Slot, Status};
 use super::setup::Gravity;
 
@@ -165,10 +165,6 @@ impl World {
             boundary_work: work,
             energy_error: if missing == 0.0 { 0.0 } else { missing / scale },
         })
-    }
-
-    fn spins(&self) -> bool {
-        self.model.rotation && self.pass().tangential()
     }
 
     /// Starts the ledger at the present state.
@@ -330,12 +326,8 @@ impl World {
         let body = self.particles.body.get(p).copied().unwrap_or([0.0; 2]);
         let axis = |v: f64, gain: f64, force: f64, lever: f64, inertia: f64| {
             let gain = part * gain;
-            let next = match drag {
-                None => Free.kick(v, gain, force),
-                Some(drag) => drag.kick(v, gain, force),
-            };
             Axis {
-                v: [v, next],
+                v: [v, motion::kick(drag, v, gain, force)],
                 gain,
                 force,
                 lever,

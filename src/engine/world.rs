@@ -40,6 +40,8 @@ pub struct World {
     /// Size of the scene at the start, for finding lost particles [m].
     pub(super) size: f64,
     pub(super) next_id: u32,
+    /// Whether some particle was given a spin: it turns even where no contact can turn it.
+    pub(super) turning: bool,
     /// Memory of the contacts, filled only in a checkpoint.
     memory: Vec<u8>,
     #[serde(skip)]
@@ -86,6 +88,7 @@ impl World {
             base_step: f64::NAN,
             first_kick: true,
             next_id: particles.len() as u32 + 1,
+            turning: false,
             particles,
             walls,
             contacts: ContactList::default(),
@@ -247,11 +250,21 @@ impl World {
         pass.relist(&old, &|k| self.basis(k));
         if let Some(before) = self.pass.take() {
             for k in 0..self.contacts.len() {
-                pass.seed(k, before.reduced(k));
+                pass.seed(k, before.reduced(k), before.book(k));
             }
         }
         self.pass = Some(pass);
         self.weigh();
+        self.note_spins();
+    }
+
+    /// Whether anything turns. Where rotation is off nothing does, whatever was given.
+    pub(super) fn note_spins(&mut self) {
+        let rows = &mut self.particles.row;
+        if !self.model.rotation {
+            rows.iter_mut().for_each(|row| row.spin = 0.0);
+        }
+        self.turning = rows.iter().any(|row| row.spin != 0.0);
     }
 
     /// What contact k is prepared from.

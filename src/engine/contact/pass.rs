@@ -65,8 +65,8 @@ pub trait ContactPass: Send + Sync {
     fn is_frictional(&self, k: usize) -> bool;
     /// Reduced memory of a contact: spring forces [N].
     fn reduced(&self, k: usize) -> [f64; 2];
-    /// Takes over the reduced memory of another kind of pass.
-    fn seed(&mut self, k: usize, forces: [f64; 2]);
+    /// Takes over the reduced memory and the bookings of another kind of pass.
+    fn seed(&mut self, k: usize, forces: [f64; 2], book: Book);
     /// Bookings of a contact; zero when none are kept.
     fn book(&self, k: usize) -> Book;
     /// Bytes per contact: parameters, memory, bookings.
@@ -384,8 +384,11 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
         self.memory[k].reduced()
     }
 
-    fn seed(&mut self, k: usize, forces: [f64; 2]) {
+    fn seed(&mut self, k: usize, forces: [f64; 2], book: Book) {
         self.memory[k] = L::Memory::from_reduced(forces);
+        if BOOK {
+            self.book[k] = book;
+        }
     }
 
     fn book(&self, k: usize) -> Book {

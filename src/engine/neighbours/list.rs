@@ -36,6 +36,9 @@ pub struct ContactList {
     pub wall_travel: f64,
     /// Times the list was made.
     pub rebuilds: u64,
+    /// Box around all particles and their halos until the list is made again: lower and upper
+    /// corner [m].
+    pub span: [[f64; 2]; 2],
     #[serde(skip)]
     work: Work,
 }
@@ -101,6 +104,9 @@ impl ContactList {
         self.reference.extend(rows.iter().map(|row| row.x));
         self.travel = 0.0;
         self.wall_travel = 0.0;
+        let [low, high] = particles.extent();
+        let margin = largest + 2.0 * tol;
+        self.span = [low.map(|x| x - margin), high.map(|x| x + margin)];
         self.rebuilds += 1;
         std::mem::take(&mut self.work.old)
     }
