@@ -221,8 +221,10 @@ fn friction_shares_the_load_as_statics_says() {
         // loading over some thousand periods for quasi-static.
         let v = 1e-5;
         let mut setup = nine_discs(material(STIFFNESS, ratio * STIFFNESS, friction), 0.1, v);
-        setup.damping = contact_damping(0.7);
+        // More would be unstable at this step: lagged dashpots tighten the limit.
+        setup.damping = contact_damping(0.2);
         let mut world = world(setup);
+        assert!(world.frac_limit() > 0.1);
         let loading = 20_000;
         close(&mut world, loading);
         let closing = v * loading as f64 * world.dt();
