@@ -183,6 +183,7 @@ impl Tangential for LinearShear {
             force,
             loss,
             sliding: sliding && self.k > 0.0,
+            limit,
         }
     }
 

@@ -45,6 +45,8 @@ pub struct Shear {
     pub loss: f64,
     /// Whether the whole contact slid.
     pub sliding: bool,
+    /// Friction limit: what spring and dashpot together may reach [N].
+    pub limit: f64,
 }
 
 /// What a contact does to its first body: force -n e - T t.
@@ -182,9 +184,18 @@ impl<N: Normal, T: Tangential, D: Viscosity> Law for Contact<N, T, D> {
         } else {
             self.dashpot.tangential(touch.slide)
         };
+        // No contact carries more than its friction limit, whatever carries it: without friction
+        // there is no tangential dashpot either, and none kicks at the first touch.
+        let tangential = shear.force + drag;
+        let (tangential, drag) = if tangential.abs() > shear.limit {
+            let most = shear.limit.copysign(tangential);
+            (most, most - shear.force)
+        } else {
+            (tangential, drag)
+        };
         Reaction {
             normal: total,
-            tangential: shear.force + drag,
+            tangential,
             damping: [total - elastic, drag],
             loss: shear.loss,
             sliding: shear.sliding,
@@ -208,9 +219,11 @@ impl<N: Normal, T: Tangential, D: Viscosity> Law for Contact<N, T, D> {
 
     fn stiffness(&self, overlap: f64) -> Stiffness {
         let k = [self.normal.stiffness(overlap), self.tangential.stiffness()];
+        let [normal, tangential] = self.dashpot.viscosity();
+        let shears = self.tangential.is_frictional();
         Stiffness {
             k,
-            c: self.dashpot.viscosity(),
+            c: [normal, if shears { tangential } else { 0.0 }],
         }
     }
 
