@@ -79,6 +79,8 @@ struct Axis {
     v: [f64; 2],
     /// Gain of the kick, zero if prescribed.
     gain: f64,
+    /// Whether the motion is damped: without, the loss is zero and not rounding.
+    damped: bool,
     force: f64,
     /// Work of a unit force is velocity times this.
     lever: f64,
@@ -89,7 +91,7 @@ struct Axis {
 impl Axis {
     /// Force of the motion's damping.
     fn drag(&self) -> f64 {
-        if self.gain == 0.0 {
+        if self.gain == 0.0 || !self.damped {
             0.0
         } else {
             self.force - (self.v[1] - self.v[0]) / self.gain
@@ -329,6 +331,7 @@ impl World {
             Axis {
                 v: [v, motion::kick(drag, v, gain, force)],
                 gain,
+                damped: drag.is_some(),
                 force,
                 lever,
                 inertia,
