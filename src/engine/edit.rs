@@ -74,7 +74,12 @@ impl World {
         }
         Reaction {
             normal: -(fx * e[0] + fy * e[1]),
-            tangential: -(fx * e[1] - fy * e[0]),
+            // Without friction the projection would show rounding.
+            tangential: if self.pass().is_frictional(k) {
+                -(fx * e[1] - fy * e[0])
+            } else {
+                0.0
+            },
             sliding: self.contacts.status[k] == Status::Sliding,
             ..Reaction::default()
         }
@@ -356,7 +361,7 @@ impl World {
     /// The pass follows the list, whose contacts stood at these places before.
     fn keep(&mut self, places: &[u32]) {
         let mut pass = self.take_pass();
-        pass.relist(places, &|k| self.basis(k));
+        pass.relist(places, self.room(), &|k| self.basis(k));
         self.put_pass(pass);
     }
 

@@ -175,7 +175,7 @@ impl World {
         let mut contacts = std::mem::take(&mut self.contacts);
         let old = contacts.rebuild(&self.particles, &self.walls, self.tol);
         self.contacts = contacts;
-        pass.relist(&old, &|k| self.basis(k));
+        pass.relist(&old, self.room(), &|k| self.basis(k));
         self.contacts.give_back(old);
         self.put_pass(pass);
     }

@@ -128,7 +128,7 @@ impl World {
         self.threads = Threads::new(threads);
         let mut pass = self.plan().pass();
         let old = vec![u32::MAX; self.contacts.len()];
-        pass.relist(&old, &|k| self.basis(k));
+        pass.relist(&old, self.room(), &|k| self.basis(k));
         let fits = pass.load(&std::mem::take(&mut self.memory));
         self.pass = Some(pass);
         fits
@@ -247,7 +247,7 @@ impl World {
     pub(super) fn replan(&mut self) {
         let mut pass = self.plan().pass();
         let old = vec![u32::MAX; self.contacts.len()];
-        pass.relist(&old, &|k| self.basis(k));
+        pass.relist(&old, self.room(), &|k| self.basis(k));
         if let Some(before) = self.pass.take() {
             for k in 0..self.contacts.len() {
                 pass.seed(k, before.reduced(k), before.book(k));
@@ -265,6 +265,11 @@ impl World {
             rows.iter_mut().for_each(|row| row.spin = 0.0);
         }
         self.turning = rows.iter().any(|row| row.spin != 0.0);
+    }
+
+    /// Contacts that memory is kept ready for.
+    pub(super) fn room(&self) -> usize {
+        ContactList::room(self.particles.len()).iter().sum()
     }
 
     /// What contact k is prepared from.
