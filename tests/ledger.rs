@@ -374,12 +374,12 @@ type Act = (&'static str, fn(&mut World));
 fn work_of_every_command() {
     let acts: [Act; 12] = [
         ("velocity", |world| {
-            world.set_motion(0, Motion::Velocity([1.0, 2.0]))
+            world.set_motion(0, Motion::Velocity([1.0, 2.0]));
         }),
         ("spin", |world| world.set_motion(0, Motion::Spin(5.0))),
         ("zero", World::zero_velocities),
         ("gravity", |world| {
-            world.set_gravity(Some(Gravity::Uniform([0.0, -20.0])))
+            world.set_gravity(Some(Gravity::Uniform([0.0, -20.0])));
         }),
         ("frac", |world| world.set_frac(0.5 * world.model().frac)),
         ("create", |world| {
@@ -388,7 +388,7 @@ fn work_of_every_command() {
         ("delete", |world| world.delete(1)),
         ("delete wall", |world| world.delete_wall(0)),
         ("create wall", |world| {
-            world.create_wall(&wall("slope", [-3.0, 0.2], [3.0, 0.2]))
+            world.create_wall(&wall("slope", [-3.0, 0.2], [3.0, 0.2]));
         }),
         ("friction", |world| {
             world.change_materials(|model| model.materials[0].friction = 0.0);

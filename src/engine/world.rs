@@ -262,7 +262,9 @@ impl World {
     pub(super) fn note_spins(&mut self) {
         let rows = &mut self.particles.row;
         if !self.model.rotation {
-            rows.iter_mut().for_each(|row| row.spin = 0.0);
+            for row in rows.iter_mut() {
+                row.spin = 0.0;
+            }
         }
         self.turning = rows.iter().any(|row| row.spin != 0.0);
     }
