@@ -9,7 +9,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::World;
-use super::motion::{Drag, Dragged, Free};
+use super::motion::{self, Dragged};
 use super::neighbours::{Slot, Status};
 use super::setup::Gravity;
 
@@ -79,6 +79,8 @@ struct Axis {
     v: [f64; 2],
     /// Gain of the kick, zero if prescribed.
     gain: f64,
+    /// Whether the motion is damped: without, the loss is zero and not rounding.
+    damped: bool,
     force: f64,
     /// Work of a unit force is velocity times this.
     lever: f64,
@@ -89,7 +91,7 @@ struct Axis {
 impl Axis {
     /// Force of the motion's damping.
     fn drag(&self) -> f64 {
-        if self.gain == 0.0 {
+        if self.gain == 0.0 || !self.damped {
             0.0
         } else {
             self.force - (self.v[1] - self.v[0]) / self.gain
@@ -165,10 +167,6 @@ impl World {
             boundary_work: work,
             energy_error: if missing == 0.0 { 0.0 } else { missing / scale },
         })
-    }
-
-    fn spins(&self) -> bool {
-        self.model.rotation && self.pass().tangential()
     }
 
     /// Starts the ledger at the present state.
@@ -330,13 +328,10 @@ impl World {
         let body = self.particles.body.get(p).copied().unwrap_or([0.0; 2]);
         let axis = |v: f64, gain: f64, force: f64, lever: f64, inertia: f64| {
             let gain = part * gain;
-            let next = match drag {
-                None => Free.kick(v, gain, force),
-                Some(drag) => drag.kick(v, gain, force),
-            };
             Axis {
-                v: [v, next],
+                v: [v, motion::kick(drag, v, gain, force)],
                 gain,
+                damped: drag.is_some(),
                 force,
                 lever,
                 inertia,

@@ -198,7 +198,7 @@ mod tests {
             frames in prop::collection::vec(
                 prop::collection::vec((0u16..20, 0u16..6, "[a-z █⣿]", 0u8..12), 0..40), 1..6),
         ) {
-            let mut parser = vt100::Parser::new(6, 20, 0);
+            let mut parser = vt100::Parser::new(6.try_into().unwrap(), 20.try_into().unwrap(), 0);
             let mut painter = Painter::default();
             for frame in frames {
                 let cells: Vec<(u16, u16, char, u8)> = frame

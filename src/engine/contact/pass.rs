@@ -51,8 +51,9 @@ pub trait ContactPass: Send + Sync {
         status: &mut [Status],
         threads: &Threads,
     );
-    /// The list changed: `old[k]` is where contact k stood before, `u32::MAX` if it is new.
-    fn relist(&mut self, old: &[u32], basis: &dyn Fn(usize) -> BasisOwned);
+    /// The list changed: `old[k]` is where contact k stood before, `u32::MAX` if it is new. `room`
+    /// is how many contacts memory is kept ready for.
+    fn relist(&mut self, old: &[u32], room: usize, basis: &dyn Fn(usize) -> BasisOwned);
     /// Moves the memory of one contact to another.
     fn hand_over(&mut self, from: usize, to: usize);
     /// Whether spins exist.
@@ -338,10 +339,15 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
         });
     }
 
-    fn relist(&mut self, old: &[u32], basis: &dyn Fn(usize) -> BasisOwned) {
+    fn relist(&mut self, old: &[u32], room: usize, basis: &dyn Fn(usize) -> BasisOwned) {
         self.laws.clear();
         self.spare_memory.clear();
         self.spare_book.clear();
+        self.laws.reserve(room);
+        self.spare_memory.reserve(room);
+        if BOOK {
+            self.spare_book.reserve(room);
+        }
         for (k, &from) in old.iter().enumerate() {
             let basis = basis(k);
             self.laws.push(L::prepare(&Basis {
