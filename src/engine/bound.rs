@@ -4,7 +4,7 @@
 //! stiffness matrix is bounded by one 3×3 block per particle, twice its own stiffness against fixed
 //! neighbours (once against walls), and ω² by the largest eigenvalue of any block over its masses.
 //! Moving one particle alone gives at least half of that: the bound is never above the true limit
-//! and at most a factor √2 below it. For the regular lattices it is the limit itself.
+//! and at most a factor √2 below it. In an endless regular lattice it is the limit itself.
 
 use nalgebra::{Matrix3, Vector3};
 
