@@ -422,6 +422,37 @@ fn work_of_every_command() {
 }
 
 #[test]
+fn accounts_of_the_deleted_stay() {
+    let mut setup = everything(16e3);
+    setup.walls[2].velocity = [0.0, -0.1];
+    // Low number, loaded and pushed: its account holds something of everything.
+    setup.particles[0].force = [1.0, 1.0];
+    let mut world = world(setup);
+    run(&mut world, 4000);
+    let before = entries(&mut world);
+    world.delete(0);
+    world.delete_wall(2);
+    let after = entries(&mut world);
+    // The drag of the half step before the boundary goes with the particle: one part in 8000 of
+    // its account. Contact losses are booked whole.
+    for (k, within) in [(6, 1e-12), (7, 1e-12), (8, 1e-3)] {
+        let gap = (after[k] - before[k]).abs();
+        assert!(
+            before[k] > 0.0 && gap < within * before[k],
+            "{}",
+            ENTRIES[k]
+        );
+    }
+    // The command's work is the jump of what is stored (booked as work, hence the sign), and the
+    // accounts go on; they were worth far more than the tolerance.
+    let jump = |k: std::ops::Range<usize>| k.map(|k| after[k] - before[k]).sum::<f64>();
+    let missing = jump(0..10);
+    let scale: f64 = before.iter().map(|x| x.abs()).sum();
+    assert!(missing.abs() < 1e-12 * scale, "{missing:e}");
+    assert!(jump(0..6).abs() > 1e-6 * scale);
+}
+
+#[test]
 fn dashpots_by_stiffness_and_restitution_are_booked() {
     for dashpot in [
         Dashpot::Beta(2e-3),

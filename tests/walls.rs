@@ -73,6 +73,7 @@ fn a_joint_counts_once() {
         vec![wall("one", b, a), wall("two", c, b)],
         vec![wall("one", b, c), wall("two", a, b)],
         vec![wall("one", a, b), wall("two", c, b)],
+        vec![wall("one", b, a), wall("two", b, c)],
     ];
     for walls in joined {
         for x in [-0.5, -1e-9, 0.0, 1e-9, 0.5] {

@@ -428,7 +428,7 @@ impl World {
 
     fn booked(&mut self, change: impl FnOnce(&mut Self)) {
         self.settle();
-        let before = self.ledger.is_some().then(|| self.stored());
+        let before = self.ledger.is_some().then(|| self.at_stake());
         change(self);
         if let Some(before) = before {
             self.book_command(before);

@@ -140,16 +140,7 @@ impl World {
             total.drag += account.drag;
             total.work += account.work;
         }
-        // The drag of this boundary has acted over the step before already.
-        for p in 0..self.particles.len() {
-            if !self.first_kick {
-                total.drag += self
-                    .axes(p)
-                    .iter()
-                    .map(|a| self.half_work(a.drag(), a, 0))
-                    .sum::<f64>();
-            }
-        }
+        total.drag += self.pending_drag();
         let work = total.work + ledger.walls.iter().sum::<f64>() + ledger.commands;
         let e = self.energies();
         let stored = e.kinetic
@@ -186,8 +177,25 @@ impl World {
         }
     }
 
+    /// The drag of this boundary has acted over the step before already, but is booked when the
+    /// next step departs [J].
+    fn pending_drag(&self) -> f64 {
+        if self.first_kick {
+            return 0.0;
+        }
+        (0..self.particles.len())
+            .flat_map(|p| self.axes(p))
+            .map(|axis| self.half_work(axis.drag(), &axis, 0))
+            .sum()
+    }
+
+    /// What a command may change: energy stored now, and the loss that is not yet booked [J].
+    pub(super) fn at_stake(&self) -> f64 {
+        self.stored() + self.pending_drag()
+    }
+
     /// Energy stored now [J].
-    pub(super) fn stored(&self) -> f64 {
+    fn stored(&self) -> f64 {
         let e = self.energies();
         e.kinetic + e.rotational + e.elastic_normal + e.elastic_tangential + e.potential + e.transit
     }
@@ -202,10 +210,10 @@ impl World {
         }
     }
 
-    /// Books a sudden change of stored energy as work of a command.
+    /// Books a sudden change of what is at stake as work of a command.
     pub(super) fn book_command(&mut self, before: f64) {
         if self.ledger.is_some() {
-            let work = self.stored() - before;
+            let work = self.at_stake() - before;
             if let Some(ledger) = &mut self.ledger {
                 ledger.commands += work;
                 ledger.turnover += work.abs();
