@@ -12,5 +12,6 @@ pub mod record;
 pub mod scene;
 pub mod session;
 pub mod study;
+pub mod tui;
 
 pub mod cli;

@@ -11,6 +11,7 @@ mod pages;
 mod progress;
 mod run;
 mod verify;
+mod workbench;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -24,10 +25,50 @@ const FAILED: u8 = 1;
 
 /// Two-dimensional discrete element simulation of granular material.
 #[derive(Debug, Parser)]
-#[command(name = "ballast", version, about, max_term_width = 100)]
+#[command(
+    name = "ballast",
+    version,
+    about,
+    max_term_width = 100,
+    args_conflicts_with_subcommands = true,
+    subcommand_precedence_over_arg = true
+)]
 struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
+    #[command(flatten)]
+    workbench: Workbench,
+}
+
+/// Options of the workbench, which opens when no command is given.
+#[derive(Debug, Args)]
+struct Workbench {
+    /// Preset to open (embedded name or file)
+    preset: Option<String>,
+    /// Override a key of the preset
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    set: Vec<String>,
+    /// Do not run at once
+    #[arg(long)]
+    paused: bool,
+    /// Frames per second at most
+    #[arg(long, value_name = "N", value_parser = positive)]
+    fps: Option<f64>,
+    /// Kilobytes per second at most
+    #[arg(long, value_name = "N", value_parser = positive)]
+    kbps: Option<f64>,
+    /// Cycles per second at first; 0: as many as possible
+    #[arg(long, value_name = "N")]
+    pace: Option<f64>,
+    /// Teletype dialogue: no cursor, no colours
+    #[arg(long)]
+    plain: bool,
+    /// Number of threads
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=64))]
+    threads: u16,
+    /// For tests: panic at this cycle
+    #[arg(long, value_name = "CYCLE", hide = true)]
+    panic_at: Option<u64>,
 }
 
 #[derive(Debug, Subcommand)]
@@ -149,10 +190,7 @@ pub fn main() -> ExitCode {
         }
     };
     let status = match cli.command {
-        None => {
-            output::print(&Cli::command().render_long_help().to_string());
-            0
-        }
+        None => workbench::open(&cli.workbench),
         Some(Command::Run(options)) => run::run(&options),
         Some(Command::Check(options)) => check::check(&options),
         Some(Command::Presets) => lists::presets(),

@@ -6,7 +6,7 @@
 //! is enough, but twice bounds as well and can be better, since it keeps a block symmetric: the
 //! smaller of the two counts.
 //! Moving one particle alone gives at least half of that: the bound is never above the true limit
-//! and at most a factor √2 below it. For the regular lattices it is the limit itself.
+//! and at most a factor √2 below it. In an endless regular lattice it is the limit itself.
 
 use nalgebra::{Matrix3, Vector3};
 

@@ -26,13 +26,11 @@ pub struct Meeting {
 impl World {
     /// The two bodies of listed contact k: index of the first particle, and the other.
     pub fn bodies(&self, k: usize) -> (usize, Other) {
-        match self.contacts.pairs.get(k) {
-            Some(&[i, j]) => (i as usize, Other::Particle(j as usize)),
-            None => {
-                let wall = &self.contacts.walls[k - self.contacts.pairs.len()];
-                (wall.particle as usize, Other::Wall(wall.wall as usize))
-            }
+        if let Some(&[i, j]) = self.contacts.pairs.get(k) {
+            return (i as usize, Other::Particle(j as usize));
         }
+        let wall = &self.contacts.walls[k - self.contacts.pairs.len()];
+        (wall.particle as usize, Other::Wall(wall.wall as usize))
     }
 
     /// Parameters of listed contact k.

@@ -1,11 +1,14 @@
 //! Changes from outside: what commands do to a world between cycles.
 //!
 //! Each keeps the bookkeeping right: a sudden change of stored energy is booked as work of the
-//! command, changed materials are worked into pairs, contacts and the time step. Forces stay as
-//! they are until the next cycle evaluates them.
+//! command, changed materials are worked into pairs, contacts and the time step. Positions,
+//! velocities and forces of a boundary belong together, so forces are evaluated again at once and
+//! velocities stay what they are at the boundary, whatever becomes of step and mass.
 
 use super::World;
 use super::contact::Reaction;
+use super::fault::Fault;
+use super::motion::{self, Dragged};
 use super::neighbours::{Slot, Status};
 use super::particles::Inertia;
 use super::setup::{
@@ -74,7 +77,12 @@ impl World {
         Reaction {
             // Adding zero turns a negative one into the plain one that people expect.
             normal: 0.0 - (fx * e[0] + fy * e[1]),
-            tangential: 0.0 - (fx * e[1] - fy * e[0]),
+            // Without friction the projection would show rounding.
+            tangential: if self.pass().is_frictional(k) {
+                0.0 - (fx * e[1] - fy * e[0])
+            } else {
+                0.0
+            },
             sliding: self.contacts.status[k] == Status::Sliding,
             ..Reaction::default()
         }
@@ -83,14 +91,31 @@ impl World {
     /// Velocity [m/s] and spin [rad/s] of particle p at this boundary: the mean of the two half
     /// steps around it. Needs [`World::settle`] before.
     pub fn velocity(&self, p: usize) -> ([f64; 2], f64) {
-        let (row, m) = (&self.particles.row[p], &self.particles.mobility[p]);
+        let row = &self.particles.row[p];
         if self.first_kick {
             return (row.v, row.spin);
         }
-        let f = &self.particles.force[p];
+        let drag = Dragged::new(&self.model.damping, self.dt);
+        let mean =
+            |v: f64, (gain, force): (f64, f64)| 0.5 * (v + motion::kick(drag, v, gain, force));
+        let [x, y, turn] = self.answers(p);
+        let spin = if self.spins() {
+            mean(row.spin, turn)
+        } else {
+            row.spin
+        };
+        ([mean(row.v[0], x), mean(row.v[1], y)], spin)
+    }
+
+    /// Gain of the kick and force on the three degrees of freedom of particle p.
+    fn answers(&self, p: usize) -> [(f64, f64); 3] {
+        let (m, f) = (&self.particles.mobility[p], &self.particles.force[p]);
         let body = self.particles.body.get(p).copied().unwrap_or([0.0; 2]);
-        let v = [0, 1].map(|k| row.v[k] + 0.5 * m.kick[k] * (f.f[k] + body[k]));
-        (v, row.spin + 0.5 * m.turn * f.tau)
+        [
+            (m.kick[0], f.f[0] + body[0]),
+            (m.kick[1], f.f[1] + body[1]),
+            (m.turn, f.tau),
+        ]
     }
 
     /// Centre of particle p in the coordinates of the preset [m].
@@ -118,26 +143,37 @@ impl World {
         });
     }
 
-    /// Half the kick of the present forces is taken off, so that the given velocity is that of the
-    /// boundary and not of the half step before.
+    /// What is stored belongs to the half step before the boundary: the mean of the two half steps
+    /// is to be what was given.
     fn give(&mut self, p: usize, motion: Motion) {
-        let half = if self.first_kick { 0.0 } else { 0.5 };
-        let (m, f) = (self.particles.mobility[p], self.particles.force[p]);
-        let body = self.particles.body.get(p).copied().unwrap_or([0.0; 2]);
+        let drag = Dragged::new(&self.model.damping, self.dt);
+        let first = self.first_kick;
+        let before = |v: f64, (gain, force): (f64, f64)| {
+            if first {
+                v
+            } else {
+                motion::before(drag, v, gain, force)
+            }
+        };
+        let [x, y, turn] = self.answers(p);
         let row = &mut self.particles.row[p];
         match motion {
-            Motion::Velocity(v) => {
-                row.v = [0, 1].map(|k| v[k] - half * m.kick[k] * (f.f[k] + body[k]));
+            Motion::Velocity(v) => row.v = [before(v[0], x), before(v[1], y)],
+            Motion::Spin(w) if self.model.rotation => {
+                row.spin = before(w, turn);
+                self.turning |= row.spin != 0.0;
             }
-            Motion::Spin(w) => row.spin = w - half * m.turn * f.tau,
+            Motion::Spin(_) => {}
         }
     }
 
     /// Applies a constant force to particle p [N].
     pub fn set_force(&mut self, p: usize, force: [f64; 2]) {
         self.booked(|world| {
-            world.particles.applied[p] = force;
-            world.weigh();
+            world.keeping_velocities(|world| {
+                world.particles.applied[p] = force;
+                world.weigh();
+            });
         });
     }
 
@@ -180,10 +216,12 @@ impl World {
 
     /// Adds a wall.
     pub fn create_wall(&mut self, wall: &WallSetup) {
-        self.walls.push(Wall::new(wall, self.origin));
-        self.fit_ledger();
-        self.join_walls();
-        self.rework();
+        self.booked(|world| {
+            world.walls.push(Wall::new(wall, world.origin));
+            world.fit_ledger();
+            world.join_walls();
+            world.rework();
+        });
     }
 
     /// Removes wall w.
@@ -211,8 +249,10 @@ impl World {
     /// Gravity, or none.
     pub fn set_gravity(&mut self, gravity: Option<Gravity>) {
         self.booked(|world| {
-            world.model.gravity = gravity;
-            world.weigh();
+            world.keeping_velocities(|world| {
+                world.model.gravity = gravity;
+                world.weigh();
+            });
         });
     }
 
@@ -220,7 +260,7 @@ impl World {
     pub fn set_frac(&mut self, frac: f64) {
         self.booked(|world| {
             world.model.frac = frac;
-            world.retime();
+            world.keeping_velocities(Self::retime);
         });
     }
 
@@ -228,15 +268,17 @@ impl World {
     pub fn set_time_step(&mut self, choice: TimeStepChoice) {
         self.booked(|world| {
             world.model.time_step = choice;
-            world.retime();
+            world.keeping_velocities(Self::retime);
         });
     }
 
     /// Damping.
     pub fn set_damping(&mut self, damping: Damping) {
         self.booked(|world| {
-            world.model.damping = damping;
-            world.rework();
+            world.keeping_velocities(|world| {
+                world.model.damping = damping;
+                world.rework();
+            });
         });
     }
 
@@ -244,13 +286,7 @@ impl World {
     pub fn set_rotation(&mut self, rotation: bool) {
         self.booked(|world| {
             world.model.rotation = rotation;
-            if !rotation {
-                world
-                    .particles
-                    .row
-                    .iter_mut()
-                    .for_each(|row| row.spin = 0.0);
-            }
+            world.note_spins();
             world.mobilise();
         });
     }
@@ -336,15 +372,45 @@ impl World {
 
     /// After a change of particles, walls or materials.
     fn rework(&mut self) {
-        self.pairs = super::pair::PairTable::new(&self.model);
-        self.relist();
-        self.replan();
-        self.retime();
-        // The change is none of the FRACC monitor's business: no comparison with the old sums.
-        for p in 0..self.particles.len() {
-            self.particles.force[p] = self.contacts.sum::<true>(p);
+        self.keeping_velocities(|world| {
+            world.pairs = super::pair::PairTable::new(&world.model);
+            world.relist();
+            world.replan();
+            world.retime();
+            let before = world.contacts.status.clone();
+            // A centre on a wall has no force yet: the next cycle meets it again and says so.
+            let _: Result<(), Fault> = world.touch(0.0);
+            // No time has passed: what slid in the last cycle still did.
+            for (now, before) in world.contacts.status.iter_mut().zip(before) {
+                if *now == Status::Touching && before == Status::Sliding {
+                    *now = before;
+                }
+            }
+            // The change is none of the FRACC monitor's business: no comparison with old sums.
+            for p in 0..world.particles.len() {
+                world.particles.force[p] = world.contacts.sum::<true>(p);
+            }
+            world.settled = true;
+        });
+    }
+
+    /// A change of forces, masses or step moves the half step before a boundary, not the velocity
+    /// at the boundary.
+    fn keeping_velocities(&mut self, change: impl FnOnce(&mut Self)) {
+        let held: Vec<_> = (0..self.particles.len())
+            .map(|p| self.velocity(p))
+            .collect();
+        change(self);
+        for (p, &(v, spin)) in held.iter().enumerate() {
+            // Where nothing changed the bits stay, too.
+            let now = self.velocity(p);
+            if now.0 != v {
+                self.give(p, Motion::Velocity(v));
+            }
+            if now.1 != spin {
+                self.give(p, Motion::Spin(spin));
+            }
         }
-        self.settled = true;
     }
 
     /// After a change that only touches effective masses.
@@ -356,13 +422,13 @@ impl World {
     /// The pass follows the list, whose contacts stood at these places before.
     fn keep(&mut self, places: &[u32]) {
         let mut pass = self.take_pass();
-        pass.relist(places, &|k| self.basis(k));
+        pass.relist(places, self.room(), &|k| self.basis(k));
         self.put_pass(pass);
     }
 
     fn booked(&mut self, change: impl FnOnce(&mut Self)) {
         self.settle();
-        let before = self.ledger.is_some().then(|| self.stored());
+        let before = self.ledger.is_some().then(|| self.at_stake());
         change(self);
         if let Some(before) = before {
             self.book_command(before);

@@ -9,7 +9,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::World;
-use super::motion::{Drag, Dragged, Free};
+use super::motion::{self, Dragged};
 use super::neighbours::{Slot, Status};
 use super::setup::Gravity;
 
@@ -79,6 +79,8 @@ struct Axis {
     v: [f64; 2],
     /// Gain of the kick, zero if prescribed.
     gain: f64,
+    /// Whether the motion is damped: without, the loss is zero and not rounding.
+    damped: bool,
     force: f64,
     /// Work of a unit force is velocity times this.
     lever: f64,
@@ -89,7 +91,7 @@ struct Axis {
 impl Axis {
     /// Force of the motion's damping.
     fn drag(&self) -> f64 {
-        if self.gain == 0.0 {
+        if self.gain == 0.0 || !self.damped {
             0.0
         } else {
             self.force - (self.v[1] - self.v[0]) / self.gain
@@ -138,16 +140,7 @@ impl World {
             total.drag += account.drag;
             total.work += account.work;
         }
-        // The drag of this boundary has acted over the step before already.
-        for p in 0..self.particles.len() {
-            if !self.first_kick {
-                total.drag += self
-                    .axes(p)
-                    .iter()
-                    .map(|a| self.half_work(a.drag(), a, 0))
-                    .sum::<f64>();
-            }
-        }
+        total.drag += self.pending_drag();
         let work = total.work + ledger.walls.iter().sum::<f64>() + ledger.commands;
         let e = self.energies();
         let stored = e.kinetic
@@ -167,10 +160,6 @@ impl World {
         })
     }
 
-    fn spins(&self) -> bool {
-        self.model.rotation && self.pass().tangential()
-    }
-
     /// Starts the ledger at the present state.
     pub(super) fn open_ledger(&mut self) {
         if self.ledger.is_none() {
@@ -188,8 +177,25 @@ impl World {
         }
     }
 
+    /// The drag of this boundary has acted over the step before already, but is booked when the
+    /// next step departs [J].
+    fn pending_drag(&self) -> f64 {
+        if self.first_kick {
+            return 0.0;
+        }
+        (0..self.particles.len())
+            .flat_map(|p| self.axes(p))
+            .map(|axis| self.half_work(axis.drag(), &axis, 0))
+            .sum()
+    }
+
+    /// What a command may change: energy stored now, and the loss that is not yet booked [J].
+    pub(super) fn at_stake(&self) -> f64 {
+        self.stored() + self.pending_drag()
+    }
+
     /// Energy stored now [J].
-    pub(super) fn stored(&self) -> f64 {
+    fn stored(&self) -> f64 {
         let e = self.energies();
         e.kinetic + e.rotational + e.elastic_normal + e.elastic_tangential + e.potential + e.transit
     }
@@ -204,10 +210,10 @@ impl World {
         }
     }
 
-    /// Books a sudden change of stored energy as work of a command.
+    /// Books a sudden change of what is at stake as work of a command.
     pub(super) fn book_command(&mut self, before: f64) {
         if self.ledger.is_some() {
-            let work = self.stored() - before;
+            let work = self.at_stake() - before;
             if let Some(ledger) = &mut self.ledger {
                 ledger.commands += work;
                 ledger.turnover += work.abs();
@@ -330,13 +336,10 @@ impl World {
         let body = self.particles.body.get(p).copied().unwrap_or([0.0; 2]);
         let axis = |v: f64, gain: f64, force: f64, lever: f64, inertia: f64| {
             let gain = part * gain;
-            let next = match drag {
-                None => Free.kick(v, gain, force),
-                Some(drag) => drag.kick(v, gain, force),
-            };
             Axis {
-                v: [v, next],
+                v: [v, motion::kick(drag, v, gain, force)],
                 gain,
+                damped: drag.is_some(),
                 force,
                 lever,
                 inertia,

@@ -63,6 +63,37 @@ impl Drag for Dragged {
     }
 }
 
+impl Dragged {
+    /// The velocity before the kick for which the mean of before and after is `mean`.
+    fn before(&self, mean: f64, gain: f64, force: f64) -> f64 {
+        // At rest in the mean, the half step before it goes against the force.
+        let against = if mean == 0.0 { -force } else { mean };
+        let force = force - self.local * force.abs() * sign(against);
+        let kept = self.con1 * (1.0 - self.half) / (1.0 + self.half);
+        (2.0 * mean - self.con1 * gain * force / (1.0 + self.half)) / (1.0 + kept)
+    }
+}
+
+fn sign(x: f64) -> f64 {
+    if x == 0.0 { 0.0 } else { 1f64.copysign(x) }
+}
+
+/// The kick as the pass over the particles gives it, for a single degree of freedom.
+pub(super) fn kick(drag: Option<Dragged>, v: f64, gain: f64, force: f64) -> f64 {
+    match drag {
+        None => Free.kick(v, gain, force),
+        Some(drag) => drag.kick(v, gain, force),
+    }
+}
+
+/// The velocity of the half step before a boundary at which the mean of the half steps is `mean`.
+pub(super) fn before(drag: Option<Dragged>, mean: f64, gain: f64, force: f64) -> f64 {
+    match drag {
+        Some(drag) if gain != 0.0 => drag.before(mean, gain, force),
+        _ => mean - 0.5 * gain * force,
+    }
+}
+
 /// What the pass noticed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Watch {

@@ -25,15 +25,16 @@ impl World {
         for wall in &mut self.walls {
             wall.advance(self.dt);
         }
+        // Weight belongs to the boundary like the contact forces.
+        if matches!(self.model.gravity, Some(Gravity::Centripetal { .. })) {
+            self.weigh();
+        }
         self.touch(self.dt)?;
         self.arrive();
         Ok(())
     }
 
     fn motion(&mut self) -> Result<(), Fault> {
-        if matches!(self.model.gravity, Some(Gravity::Centripetal { .. })) {
-            self.weigh();
-        }
         let watch = self.pass_over_particles(motion::advance);
         self.note_fracc(&watch);
         self.cycle += 1;
@@ -61,8 +62,8 @@ impl World {
         work: impl Fn(Inputs<'_>, &mut [Row], &mut [Sum], &Threads) -> Watch,
     ) -> Watch {
         let part = self.kick_part();
-        let spin = self.model.rotation && self.pass().tangential();
-        let due = self.cycle.is_multiple_of(u64::from(self.model.fracc_every));
+        let spin = self.spins();
+        let due = self.fracc_due();
         let Self {
             particles,
             contacts,
@@ -85,13 +86,22 @@ impl World {
         work(inputs, &mut particles.row, &mut particles.force, threads)
     }
 
+    /// Whether any particle turns or can be made to.
+    pub(super) fn spins(&self) -> bool {
+        self.model.rotation && (self.pass().tangential() || self.turning)
+    }
+
+    fn fracc_due(&self) -> bool {
+        self.cycle.is_multiple_of(u64::from(self.model.fracc_every))
+    }
+
     /// The first kick is half a step.
     pub(super) fn kick_part(&self) -> f64 {
         if self.first_kick { 0.5 } else { 1.0 }
     }
 
     fn note_fracc(&mut self, watch: &Watch) {
-        if self.settled || self.first_kick {
+        if self.settled || self.first_kick || !self.fracc_due() {
             return;
         }
         let (fourth, index) = watch.fracc;
@@ -165,7 +175,7 @@ impl World {
         let mut contacts = std::mem::take(&mut self.contacts);
         let old = contacts.rebuild(&self.particles, &self.walls, self.tol);
         self.contacts = contacts;
-        pass.relist(&old, &|k| self.basis(k));
+        pass.relist(&old, self.room(), &|k| self.basis(k));
         self.contacts.give_back(old);
         self.put_pass(pass);
     }
@@ -176,8 +186,12 @@ impl World {
         if wall.spin == 0.0 {
             return speed(wall.velocity);
         }
-        let far = 2.0 * (self.size + speed(wall.about));
-        speed(wall.velocity) + wall.spin.abs() * far
+        let [low, high] = self.contacts.span;
+        let far = [0, 1].map(|k| {
+            let about = wall.about[k];
+            (about - low[k]).abs().max((high[k] - about).abs())
+        });
+        speed(wall.velocity) + wall.spin.abs() * speed(far)
     }
 
     fn locate_walls(&mut self) -> Result<(), Fault> {

@@ -62,6 +62,9 @@ pub(super) fn locate(
         }
         let d = [corner[0] - row.x[0], corner[1] - row.x[1]];
         let distance = (d[0] * d[0] + d[1] * d[1]).sqrt();
+        if distance == 0.0 {
+            return Err(Through);
+        }
         let e = [d[0] / distance, d[1] / distance];
         return Ok((
             WallTouch {
@@ -103,7 +106,7 @@ pub(super) fn side(wall: &Wall, x: [f64; 2]) -> f64 {
 }
 
 /// Distance from a point to the nearest point of the wall [m].
-pub(super) fn distance(wall: &Wall, x: [f64; 2]) -> f64 {
+pub fn distance(wall: &Wall, x: [f64; 2]) -> f64 {
     let foot = Foot::of(wall, x);
     match foot.beyond {
         None => foot.height.abs(),
@@ -128,9 +131,11 @@ impl Foot {
         let r = [x[0] - wall.point[0], x[1] - wall.point[1]];
         let along = r[0] * wall.direction[0] + r[1] * wall.direction[1];
         let height = r[1] * wall.direction[0] - r[0] * wall.direction[1];
-        let beyond = if along < wall.h1 {
+        // Exactly over an end counts as beyond: over a joint of two walls in line the one point
+        // would be two faces otherwise.
+        let beyond = if along <= wall.h1 {
             Some(0)
-        } else if along > wall.h2 {
+        } else if along >= wall.h2 {
             Some(1)
         } else {
             None

@@ -40,6 +40,8 @@ pub struct World {
     /// Size of the scene at the start, for finding lost particles [m].
     pub(super) size: f64,
     pub(super) next_id: u32,
+    /// Whether some particle was given a spin: it turns even where no contact can turn it.
+    pub(super) turning: bool,
     /// Memory of the contacts, filled only in a checkpoint.
     memory: Vec<u8>,
     #[serde(skip)]
@@ -86,6 +88,7 @@ impl World {
             base_step: f64::NAN,
             first_kick: true,
             next_id: particles.len() as u32 + 1,
+            turning: false,
             particles,
             walls,
             contacts: ContactList::default(),
@@ -130,7 +133,7 @@ impl World {
         self.threads = Threads::new(threads);
         let mut pass = self.plan().pass();
         let old = vec![u32::MAX; self.contacts.len()];
-        pass.relist(&old, &|k| self.basis(k));
+        pass.relist(&old, self.room(), &|k| self.basis(k));
         let fits = pass.load(&std::mem::take(&mut self.memory));
         self.pass = Some(pass);
         fits
@@ -249,14 +252,31 @@ impl World {
     pub(super) fn replan(&mut self) {
         let mut pass = self.plan().pass();
         let old = vec![u32::MAX; self.contacts.len()];
-        pass.relist(&old, &|k| self.basis(k));
+        pass.relist(&old, self.room(), &|k| self.basis(k));
         if let Some(before) = self.pass.take() {
             for k in 0..self.contacts.len() {
-                pass.seed(k, before.reduced(k));
+                pass.seed(k, before.reduced(k), before.book(k));
             }
         }
         self.pass = Some(pass);
         self.weigh();
+        self.note_spins();
+    }
+
+    /// Whether anything turns. Where rotation is off nothing does, whatever was given.
+    pub(super) fn note_spins(&mut self) {
+        let rows = &mut self.particles.row;
+        if !self.model.rotation {
+            for row in rows.iter_mut() {
+                row.spin = 0.0;
+            }
+        }
+        self.turning = rows.iter().any(|row| row.spin != 0.0);
+    }
+
+    /// Contacts that memory is kept ready for.
+    pub(super) fn room(&self) -> usize {
+        ContactList::room(self.particles.len()).iter().sum()
     }
 
     /// What contact k is prepared from.
@@ -293,7 +313,11 @@ impl World {
             0.0
         };
         let walls = self.wall_materials();
-        self.base_step = time_step::base(&self.model, &self.pairs, &self.particles, &walls);
+        let base = time_step::base(&self.model, &self.pairs, &self.particles, &walls);
+        // When nothing is left that limits the step, the last one goes on: clocks need a number.
+        if base.is_finite() || !self.base_step.is_finite() {
+            self.base_step = base;
+        }
         self.since = (time, self.cycle);
         self.dt = self.model.frac * self.base_step;
         self.mobilise();

@@ -114,6 +114,19 @@ impl WholeLines {
         outcome.map_err(|error| RecordError::new(&self.path, Attempt::Write, error))
     }
 
+    /// Takes every line back. False where the medium cannot: then they stay.
+    pub(super) fn clear(&mut self) -> Result<bool, RecordError> {
+        match self.medium.cut(0) {
+            Ok(()) => {}
+            Err(error) if error.kind() == ErrorKind::Unsupported => return Ok(false),
+            Err(error) => return Err(RecordError::new(&self.path, Attempt::Cut, error)),
+        }
+        self.length = 0;
+        self.waiting.clear();
+        self.ends.clear();
+        Ok(true)
+    }
+
     /// Flushes, and returns once the lines would survive a power cut.
     pub(super) fn sync(&mut self) -> Result<(), RecordError> {
         self.flush()?;
@@ -165,6 +178,9 @@ impl Write for Disk {
 
 impl Medium for Disk {
     fn cut(&mut self, length: u64) -> io::Result<()> {
+        if !self.regular {
+            return Err(ErrorKind::Unsupported.into());
+        }
         self.file.set_len(length)?;
         self.file.seek(SeekFrom::Start(length)).map(drop)
     }

@@ -1,12 +1,12 @@
 //! `[about]`: what a preset is for, in words.
 
 use super::draft::Draft;
-use super::key::{Absent, Form, Key};
+use super::key::{Absent, Bounds, Form, Key};
 use super::reader::Reader;
 use super::section::{Section, Shape};
 
 /// What a preset says about itself.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct About {
     /// Title.
     pub title: String,
@@ -20,6 +20,8 @@ pub struct About {
     pub source: String,
     /// Whether the tests run it to its end.
     pub quick: bool,
+    /// Cycles per second at which the workbench starts it; `None`: as many as possible.
+    pub pace: Option<f64>,
 }
 
 /// The declaration.
@@ -46,6 +48,15 @@ const KEYS: &[Key] = &[
         absent: Absent::Flag(false),
         ..text("quick", "mark of presets that the tests run to their end")
     },
+    Key {
+        form: Form::Number(Bounds::POSITIVE),
+        unit: "1/s",
+        absent: Absent::Said("as many as possible"),
+        ..text(
+            "pace",
+            "cycles per second at which the workbench shows it at first",
+        )
+    },
 ];
 
 const fn text(name: &'static str, summary: &'static str) -> Key {
@@ -71,6 +82,7 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
         try_: commands(reader, "try"),
         source: text("source"),
         quick: reader.flag("quick").unwrap_or_default(),
+        pace: reader.number("pace"),
     };
 }
 

@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use super::course::{Errand, Phase};
-use super::{By, Refusal, RunError, Session};
+use super::{By, Refusal, Reply, Request, RunError, Session};
 use crate::language::{Command, Expression, Term};
 use crate::measure::sample::Sample;
 use crate::record::journal::EventKind;
@@ -51,7 +51,7 @@ impl Session {
                 }
             }
             looks += 1;
-            if self.user_turn()? {
+            if self.user_turn() {
                 return Ok(Progress::ErrandDone);
             }
             self.stage_turn()?;
@@ -65,7 +65,12 @@ impl Session {
 
     /// One cycle and what belongs to the boundary it arrives at.
     fn cycle(&mut self) -> Result<(), RunError> {
+        self.first_row()?;
         self.world.cycle()?;
+        assert!(
+            self.panic_at != Some(self.world.cycle_number()),
+            "asked to panic here"
+        );
         let running = self.course.phase == Phase::Running;
         if running {
             self.look_for_stage_end();
@@ -82,64 +87,66 @@ impl Session {
 
     /// What the user asked for comes before what stages do at the same boundary. True when all of
     /// it is done.
-    fn user_turn(&mut self) -> Result<bool, RunError> {
+    fn user_turn(&mut self) -> bool {
         let Some(errand) = self.course.user_errand.clone() else {
             return if self.course.user_lines.is_empty() {
-                Ok(false)
+                false
             } else {
                 self.user_line()
             };
         };
         if !self.errand_done(&errand) {
-            return Ok(false);
+            return false;
         }
         self.course.user_errand = None;
         if self.course.user_lines.is_empty() {
-            Ok(true)
+            true
         } else {
             self.user_line()
         }
     }
 
-    /// Lines of a sourced file, up to one that runs cycles.
-    fn user_line(&mut self) -> Result<bool, RunError> {
+    /// Lines of a sourced file, up to one that runs cycles or pauses. True when nothing is left to
+    /// run for. A line that is refused ends the file, not the run.
+    fn user_line(&mut self) -> bool {
         while let Some(line) = self.course.user_lines.pop_front() {
-            let refused = |refusal: Refusal| {
-                let cycle = self.world.cycle_number();
-                RunError::Journal {
-                    cycle,
-                    line: line.clone(),
-                    refusal,
+            let command = Command::parse(&line).map_err(Refusal::from);
+            match command.and_then(|command| self.execute(&command, By::User)) {
+                Ok(reply) => {
+                    self.notices.push(line);
+                    self.notices.extend(reply.lines);
+                    if reply.request == Some(Request::Pause) {
+                        return true;
+                    }
                 }
-            };
-            let command = Command::parse(&line).map_err(|mistake| refused(mistake.into()))?;
-            if let Err(refusal) = self.execute(&command, By::User) {
-                self.course.user_lines.clear();
-                let cycle = self.world.cycle_number();
-                return Err(RunError::Journal {
-                    cycle,
-                    line,
-                    refusal,
-                });
+                Err(refusal) => {
+                    let left = self.course.user_lines.len();
+                    self.course.user_lines.clear();
+                    self.notices.push(format!(
+                        "`{line}` was refused, and the {left} lines after it are left out: \
+                         {refusal}"
+                    ));
+                    return true;
+                }
             }
             if self.course.user_errand.is_some() {
-                return Ok(false);
+                return false;
             }
         }
-        Ok(true)
+        true
     }
 
     /// Begins stages that are due and issues their commands, until cycles have to run.
-    fn stage_turn(&mut self) -> Result<(), RunError> {
+    pub(super) fn stage_turn(&mut self) -> Result<(), RunError> {
         let stages = self.scene.stages.len();
         loop {
             match self.course.phase {
-                _ if stages == 0 => return self.first_row(),
+                _ if stages == 0 => return Ok(()),
                 Phase::Ahead => self.begin_stage()?,
                 Phase::Issuing => {
                     if let Some(errand) = self.course.errand.clone() {
                         if !self.errand_done(&errand) {
-                            return self.first_row();
+                            return Ok(());
                         }
                         self.course.errand = None;
                     }
@@ -148,7 +155,6 @@ impl Session {
                     } else {
                         self.course.phase = Phase::Running;
                         self.look_for_stage_end();
-                        self.first_row()?;
                         if self.course.phase == Phase::Over {
                             self.take_row()?;
                         }
@@ -177,10 +183,16 @@ impl Session {
     fn issue(&mut self, line: &str) -> Result<(), RunError> {
         self.note(EventKind::Staged(line.to_owned()))?;
         let done = match Command::parse(line) {
-            Ok(command) => self.execute(&command, By::Stage).map(drop),
+            Ok(command) => self.execute(&command, By::Stage),
             Err(mistake) => Err(mistake.into()),
         };
-        done.map_err(|refusal| RunError::Stage {
+        // What a stage prints is for whoever watches; a change speaks through the run.
+        let shown = |reply: Reply| {
+            if line.starts_with("print") || line.starts_with("inspect") {
+                self.notices.extend(reply.lines);
+            }
+        };
+        done.map(shown).map_err(|refusal| RunError::Stage {
             stage: self.stage_name().to_owned(),
             line: line.to_owned(),
             refusal,
@@ -252,7 +264,7 @@ impl Session {
             .is_some_and(|condition| self.condition_holds(&condition, done, check))
     }
 
-    /// The row of cycle 0.
+    /// The row of cycle 0, when the first cycle is about to run.
     fn first_row(&mut self) -> Result<(), RunError> {
         if self.recording.rows().is_empty() {
             self.take_row()
@@ -286,7 +298,6 @@ impl Session {
 
     /// Ends the run: last row, end of the journal, everything handed to the files.
     pub fn finish(&mut self) -> Result<(), RunError> {
-        self.first_row()?;
         self.take_row()?;
         self.note(EventKind::End)?;
         self.flush()

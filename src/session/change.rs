@@ -1,13 +1,22 @@
 //! Commands that change the world.
 
 use super::Refusal;
+use super::figure::{figure, vector};
+use super::print::prescribed;
 use crate::engine::World;
 use crate::engine::edit::Motion;
-use crate::engine::setup::{Damping, Dashpot, PairOverride, ParticleSetup, Setup, WallSetup};
+use crate::engine::setup::{
+    Damping, Dashpot, Material, PairOverride, ParticleSetup, Setup, WallSetup,
+};
+use crate::engine::wall::Wall;
+use crate::engine::wall_contact;
 use crate::language::Command;
 use crate::language::command::{
     Create, Damper, FrictionOf, ParticleChange, ParticleRange, Property, WallChange,
 };
+
+/// Largest overlap of something new, as a fraction of the smaller radius.
+const ACCEPTED: f64 = 0.05;
 
 /// Carries the change out and says what is so now.
 pub(super) fn world(world: &mut World, command: &Command) -> Result<String, Refusal> {
@@ -16,26 +25,28 @@ pub(super) fn world(world: &mut World, command: &Command) -> Result<String, Refu
         Command::Delete(range) => Ok(delete(world, *range)),
         Command::Wall(name, change) => wall(world, name, change),
         Command::Particle(id, change) => particle(world, *id, change),
-        Command::Property(material, key, value) => property(world, material, *key, *value),
+        Command::Property(material, key, value) => Ok(property(world, material, *key, *value)),
         Command::Friction(value, of) => Ok(friction(world, *value, of)),
         Command::Frac(frac) => {
             world.set_frac(*frac);
-            Ok(format!(
-                "dt = {:.6e} s, frac limit {:.4}",
-                world.dt(),
-                world.frac_limit()
-            ))
+            let limit = world.frac_limit();
+            let limit = if limit.is_finite() {
+                format!("frac limit {}", figure(limit))
+            } else {
+                "no frac limit yet, nothing touches".into()
+            };
+            Ok(format!("dt = {} s, {limit}", figure(world.dt())))
         }
         Command::Damp(damper, value) => {
             world.set_damping(damping(world.model().damping, *damper, *value));
-            Ok(format!("damping {damper} {value}"))
+            Ok(format!("damping {damper} {}", figure(*value)))
         }
         Command::Con1(con1) => {
             world.set_damping(Damping {
                 con1: *con1,
                 ..world.model().damping
             });
-            Ok(format!("con1 {con1}"))
+            Ok(format!("con1 {}", figure(*con1)))
         }
         Command::Gravity(gravity) => {
             world.set_gravity(*gravity);
@@ -74,13 +85,11 @@ fn create(world: &mut World, new: &Create) -> Result<String, Refusal> {
             "only walls can be: name another material",
         ));
     }
-    if world.model().overlap_allowed {
-        // Anything goes.
-    } else if let Some((id, overlap)) = deepest(world, new.at, new.radius)
-        && overlap > 0.05 * new.radius
+    if !world.model().overlap_allowed
+        && let Some((what, overlap)) = deepest(world, new.at, new.radius)
     {
         return Err(Refusal::new(
-            format!("it would overlap particle {id} by {overlap:.3e} m"),
+            format!("it would overlap {what} by {} m", figure(overlap)),
             "move it, or set model.overlap = \"allow\" in the preset",
         ));
     }
@@ -97,19 +106,26 @@ fn create(world: &mut World, new: &Create) -> Result<String, Refusal> {
     Ok(format!("particle {id}"))
 }
 
-/// The particle a new one would overlap most, over the smaller radius's allowance.
-fn deepest(world: &World, at: [f64; 2], radius: f64) -> Option<(u32, f64)> {
-    let particles = world.particles();
-    (0..particles.len())
-        .map(|p| {
-            let x = world.position(p);
-            let d = [x[0] - at[0], x[1] - at[1]];
-            let r = particles.row[p].radius;
-            let overlap = radius + r - (d[0] * d[0] + d[1] * d[1]).sqrt();
-            // In terms of the new particle's radius, so that the smaller of the two decides.
-            (particles.id[p], overlap * (radius / radius.min(r)))
-        })
-        .max_by(|a, b| a.1.total_cmp(&b.1))
+/// What a new particle would overlap most in terms of the smaller radius, more than is accepted, and
+/// by how much [m].
+fn deepest(world: &World, at: [f64; 2], radius: f64) -> Option<(String, f64)> {
+    let (particles, origin) = (world.particles(), world.origin());
+    let with_particles = (0..particles.len()).map(|p| {
+        let (x, r) = (world.position(p), particles.row[p].radius);
+        let d = [x[0] - at[0], x[1] - at[1]];
+        let overlap = radius + r - (d[0] * d[0] + d[1] * d[1]).sqrt();
+        let name = format!("particle {}", particles.id[p]);
+        (overlap / radius.min(r), overlap, name)
+    });
+    let inner = [at[0] - origin[0], at[1] - origin[1]];
+    let with_walls = world.walls().iter().map(|wall| {
+        let overlap = radius - wall_contact::distance(wall, inner);
+        (overlap / radius, overlap, format!("wall {}", wall.name))
+    });
+    let worst = with_particles
+        .chain(with_walls)
+        .max_by(|a, b| a.0.total_cmp(&b.0))?;
+    (worst.0 > ACCEPTED).then_some((worst.2, worst.1))
 }
 
 fn delete(world: &mut World, range: ParticleRange) -> String {
@@ -136,7 +152,7 @@ fn wall(world: &mut World, name: &str, change: &WallChange) -> Result<String, Re
             .as_ref()
             .and_then(|name| world.model().materials.iter().position(|m| m.name == *name))
             .unwrap_or(0);
-        world.create_wall(&WallSetup {
+        let wall = WallSetup {
             name: name.to_owned(),
             material,
             point: *from,
@@ -146,7 +162,16 @@ fn wall(world: &mut World, name: &str, change: &WallChange) -> Result<String, Re
             velocity: [0.0; 2],
             angular_velocity: 0.0,
             about: *from,
-        });
+        };
+        if !world.model().overlap_allowed
+            && let Some(id) = cut(world, &wall)
+        {
+            return Err(Refusal::new(
+                format!("it would cut into particle {id}"),
+                "leave room for it, or set model.overlap = \"allow\" in the preset",
+            ));
+        }
+        world.create_wall(&wall);
         return Ok(format!("wall {name}"));
     }
     let w = world.walls().iter().position(|wall| wall.name == name);
@@ -162,9 +187,22 @@ fn wall(world: &mut World, name: &str, change: &WallChange) -> Result<String, Re
     }
     let wall = &world.walls()[w];
     Ok(format!(
-        "wall {name}: velocity {:?} m/s, spin {:?} rad/s",
-        wall.velocity, wall.spin
+        "wall {name}: velocity {} m/s, spin {} rad/s",
+        vector(wall.velocity),
+        figure(wall.spin)
     ))
+}
+
+/// The first particle that a new wall would overlap more than is accepted.
+fn cut(world: &World, wall: &WallSetup) -> Option<u32> {
+    let wall = Wall::new(wall, world.origin());
+    let particles = world.particles();
+    (0..particles.len())
+        .find(|&p| {
+            let row = &particles.row[p];
+            row.radius - wall_contact::distance(&wall, row.x) > ACCEPTED * row.radius
+        })
+        .map(|p| particles.id[p])
 }
 
 fn particle(world: &mut World, id: u32, change: &ParticleChange) -> Result<String, Refusal> {
@@ -184,19 +222,31 @@ fn particle(world: &mut World, id: u32, change: &ParticleChange) -> Result<Strin
     }
     world.settle();
     let (v, spin) = world.velocity(p);
-    Ok(format!(
-        "particle {id}: velocity {v:?} m/s, spin {spin:?} rad/s"
-    ))
+    let body = world.particles().applied[p];
+    let mut text = format!(
+        "particle {id}: velocity {} m/s, spin {} rad/s",
+        vector(v),
+        figure(spin)
+    );
+    if body != [0.0; 2] {
+        text.push_str(&[", force ", &vector(body), " N"].concat());
+    }
+    match prescribed(world.particles().fixed[p]).as_str() {
+        "" => {}
+        "driven" => text += ", driven",
+        axes => text.push_str(&[", ", axes, " prescribed"].concat()),
+    }
+    Ok(text)
 }
 
-fn property(
-    world: &mut World,
-    material: &str,
-    key: Property,
-    value: f64,
-) -> Result<String, Refusal> {
+fn property(world: &mut World, material: &str, key: Property, value: f64) -> String {
     world.change_materials(|model| {
-        for m in model.materials.iter_mut().filter(|m| m.name == material) {
+        // A wall with friction of its own still is of its material otherwise.
+        let of_wall = format!("{material}@");
+        let is_meant = |m: &&mut Material| {
+            m.name == material || key != Property::Friction && m.name.starts_with(&of_wall)
+        };
+        for m in model.materials.iter_mut().filter(is_meant) {
             match key {
                 Property::Density => m.density = value,
                 Property::Friction => m.friction = value,
@@ -208,10 +258,11 @@ fn property(
             }
         }
     });
-    Ok(format!(
-        "{material} {key} = {value:?}, dt = {:.6e} s",
-        world.dt()
-    ))
+    format!(
+        "{material} {key} = {}, dt = {} s",
+        figure(value),
+        figure(world.dt())
+    )
 }
 
 fn damping(now: Damping, damper: Damper, value: f64) -> Damping {
@@ -276,7 +327,7 @@ fn friction(world: &mut World, value: f64, of: &FrictionOf) -> String {
             format!("on wall {name}")
         }
     };
-    format!("friction {value:?} {name}")
+    format!("friction {} {name}", figure(value))
 }
 
 fn pair_friction(model: &mut Setup, materials: [usize; 2], value: f64) {

@@ -1,7 +1,5 @@
 //! Carrying out a command: the only way anything changes a world.
 
-use std::path::Path;
-
 use super::course::Errand;
 use super::{Reference, Refusal, Session, change, inspect, print};
 use crate::language::command::{Goal, HistoryChange, Printout};
@@ -48,7 +46,7 @@ impl Reply {
         }
     }
 
-    fn asking(text: impl Into<String>, request: Request) -> Self {
+    pub(super) fn asking(text: impl Into<String>, request: Request) -> Self {
         Self {
             lines: vec![text.into()],
             request: Some(request),
@@ -84,38 +82,41 @@ impl Session {
     pub fn execute(&mut self, command: &Command, by: By) -> Result<Reply, Refusal> {
         let line = command.to_string();
         self.known().check(command, &line)?;
+        let cycle = self.world.cycle_number();
         let reply = self.carry_out(command, by)?;
         let told = command.changes_world()
             || command.runs_cycles()
             || matches!(
                 command,
                 Command::Reference
+                    | Command::Save(_)
                     | Command::Restore(_)
                     | Command::Pause
                     | Command::History(HistoryChange::Every(_) | HistoryChange::Columns(_))
             );
         if by == By::User && told {
-            self.note(EventKind::Typed(line)).map_err(|error| {
-                Refusal::new(
-                    error.to_string(),
-                    "the command took effect but is not in the journal",
-                )
-            })?;
+            // The cycle before: `restore` sets it back.
+            self.note_at(cycle, EventKind::Typed(line))
+                .map_err(|error| {
+                    Refusal::new(
+                        error.to_string(),
+                        "the command took effect but is not in the journal",
+                    )
+                })?;
         }
         Ok(reply)
     }
 
     fn carry_out(&mut self, command: &Command, by: By) -> Result<Reply, Refusal> {
         match command {
-            Command::Cycle(n) => self.run_to(Some(*n), None, by),
-            Command::Step(n) => self.run_to(Some(*n), None, by),
+            Command::Cycle(n) | Command::Step(n) => Ok(self.run_to(Some(*n), None, by)),
             Command::Solve(solve) => {
                 let condition = match &solve.goal {
                     Some(Goal::Until(condition)) => condition.to_string(),
                     Some(Goal::Ratio(ratio)) => format!("unbalanced <= {ratio:?}"),
                     None => format!("unbalanced <= {SOLVED:?}"),
                 };
-                self.run_to(solve.max, Some(condition), by)
+                Ok(self.run_to(solve.max, Some(condition), by))
             }
             Command::Go => Ok(Reply::asking("running", Request::Run)),
             Command::Pause => Ok(Reply::asking(
@@ -167,84 +168,7 @@ impl Session {
         }
     }
 
-    /// Commands about files.
-    fn keep(&mut self, command: &Command) -> Result<Reply, Refusal> {
-        let failed = |error: super::RunError| {
-            Refusal::new(error.to_string(), "the run itself is not affected")
-        };
-        match command {
-            Command::Save(file) => {
-                self.save(Path::new(file)).map_err(failed)?;
-                Ok(Reply::line(format!(
-                    "saved cycle {} in {file}",
-                    self.world.cycle_number()
-                )))
-            }
-            Command::Restore(file) => {
-                self.restore(Path::new(file)).map_err(failed)?;
-                Ok(Reply::line(format!(
-                    "back at cycle {}",
-                    self.world.cycle_number()
-                )))
-            }
-            Command::ExportCsv(file) => {
-                let rows = self.export_csv(Path::new(file)).map_err(failed)?;
-                Ok(Reply::line(format!("{rows} rows in {file}")))
-            }
-            Command::Journal(file) => {
-                let text = self.journal.to_string();
-                crate::record::whole_file::write(Path::new(file), text.as_bytes())?;
-                Ok(Reply::line(format!(
-                    "{} events in {file}",
-                    self.journal.events.len()
-                )))
-            }
-            Command::Source(file) => self.source(file),
-            _ => Ok(Reply::default()),
-        }
-    }
-
-    /// All lines are read before the first takes effect.
-    fn source(&mut self, file: &str) -> Result<Reply, Refusal> {
-        let text = std::fs::read_to_string(file).map_err(|error| {
-            Refusal::new(
-                format!("{file} cannot be read: {error}"),
-                "give the path of a text file",
-            )
-        })?;
-        let mut known = self.known();
-        let mut lines = Vec::new();
-        for (number, line) in text.lines().enumerate() {
-            if line.trim().is_empty() || line.trim_start().starts_with('#') {
-                continue;
-            }
-            let command = Command::parse(line).and_then(|command| {
-                known.check(&command, line)?;
-                known.follow(&command);
-                Ok(command)
-            });
-            match command {
-                Ok(command) => lines.push(command.to_string()),
-                Err(mistake) => {
-                    let message = format!("{file}, line {}: {}", number + 1, mistake.message);
-                    return Err(Refusal::new(message, mistake.remedy));
-                }
-            }
-        }
-        let count = lines.len();
-        self.course.user_lines.extend(lines);
-        Ok(Reply::asking(
-            format!("{count} commands from {file}"),
-            Request::Run,
-        ))
-    }
-
-    fn run_to(
-        &mut self,
-        cycles: Option<u64>,
-        condition: Option<String>,
-        by: By,
-    ) -> Result<Reply, Refusal> {
+    fn run_to(&mut self, cycles: Option<u64>, condition: Option<String>, by: By) -> Reply {
         let from = self.world.cycle_number();
         let until_cycle = cycles.map(|n| from.saturating_add(n));
         let errand = Some(Errand {
@@ -256,27 +180,32 @@ impl Session {
             By::User => self.course.user_errand = errand,
             By::Stage => self.course.errand = errand,
         }
-        Ok(Reply {
+        Reply {
             lines: Vec::new(),
             request: Some(Request::Run),
-        })
+        }
     }
 
     fn print(&mut self, what: &Printout) -> Reply {
+        let mut lines = Vec::new();
         match what {
-            Printout::Averages => self.averages_only = true,
-            Printout::All => self.averages_only = false,
+            Printout::Averages => {
+                self.averages_only = true;
+                lines.push("print balls and print contacts show averages from now on".into());
+            }
+            Printout::All => {
+                self.averages_only = false;
+                lines.push("print balls and print contacts show every row from now on".into());
+            }
             _ => {}
         }
-        let mode = if self.averages_only {
-            "averages"
-        } else {
-            "everything"
-        };
-        if matches!(what, Printout::Averages | Printout::All) {
-            return Reply::line(format!("print balls and print contacts show {mode}"));
-        }
-        let lines = print::table(&mut self.world, &self.reference, what, self.averages_only);
+        let averages = self.averages_only;
+        lines.extend(print::table(
+            &mut self.world,
+            &self.reference,
+            what,
+            averages,
+        ));
         Reply {
             lines,
             request: None,

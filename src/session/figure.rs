@@ -40,15 +40,15 @@ pub fn per_cent(share: f64) -> String {
 }
 
 /// One digit before the point of the exponential form, so many after it.
-fn with_digits(x: f64, after: usize) -> String {
+fn with_digits(x: f64, after: u8) -> String {
     // Rounding first: 999999.7 has an exponent more than it seems.
-    let scientific = format!("{x:.after$e}");
+    let scientific = format!("{x:.*e}", usize::from(after));
     let Some((mantissa, exponent)) = scientific.split_once('e') else {
         return scientific;
     };
     let exponent: i32 = exponent.parse().unwrap_or(0);
     if PLAIN.contains(&exponent) {
-        let decimals = (after as i32 - exponent).max(0) as usize;
+        let decimals = (i32::from(after) - exponent).max(0) as usize;
         trimmed(&format!("{x:.decimals$}")).to_owned()
     } else {
         format!("{}e{exponent}", trimmed(mantissa))
@@ -88,7 +88,7 @@ mod tests {
             (3.183_098_861_8e-6, "3.1831e-6"),
             (-1.234_567_8e-100, "-1.2346e-100"),
             (f64::MAX, "1.79769e308"),
-            (f64::MIN, "-1.7977e308"),
+            (-f64::MAX, "-1.79769e308"),
             (f64::NAN, "nan"),
             (f64::NEG_INFINITY, "-inf"),
         ] {

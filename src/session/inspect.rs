@@ -62,7 +62,7 @@ fn listed_contact(world: &World, k: usize) -> Vec<String> {
             "normal",
             format!("{}, from the ball to its partner", vector(g.e)),
         ),
-        ("t", vector([g.e[1], -g.e[0]])),
+        ("tangent", vector([g.e[1], -g.e[0]])),
     ];
     if let Some(carried) = Carried::of(world, k) {
         rows.extend(forces(world, k, &carried));
@@ -133,7 +133,7 @@ fn forces(world: &World, k: usize, carried: &Carried) -> Vec<(&'static str, Stri
     let mut rows = vec![
         ("overlap", overlap),
         ("n", split(carried.normal, spring_n)),
-        ("t force", split(carried.tangential, spring_t)),
+        ("t", split(carried.tangential, spring_t)),
     ];
     if world.pass().is_frictional(k) || pair.cohesion > 0.0 {
         let limit = pair.friction * carried.normal + pair.cohesion;

@@ -10,6 +10,8 @@ mod course;
 mod error;
 mod execute;
 pub mod figure;
+mod files;
+pub mod frames;
 mod inspect;
 mod opening;
 mod print;
@@ -17,6 +19,7 @@ mod recording;
 mod reference;
 mod replay;
 mod save;
+pub mod worker;
 
 pub use advance::{Budget, Progress};
 pub use course::Errand;
@@ -53,6 +56,8 @@ pub struct Session {
     reference: Reference,
     /// Cycle and checkpoint of the start of the stage, for a run that goes wrong.
     safe: Option<(u64, Vec<u8>)>,
+    /// For tests of what happens then: panic at this cycle.
+    panic_at: Option<u64>,
 }
 
 impl Session {
@@ -135,11 +140,17 @@ impl Session {
         }
     }
 
+    /// For tests of what happens then: panics when this cycle is reached.
+    pub fn panic_at(&mut self, cycle: Option<u64>) {
+        self.panic_at = cycle;
+    }
+
     fn note(&mut self, kind: EventKind) -> Result<(), RunError> {
-        let event = Event {
-            cycle: self.world.cycle_number(),
-            kind,
-        };
+        self.note_at(self.world.cycle_number(), kind)
+    }
+
+    fn note_at(&mut self, cycle: u64, kind: EventKind) -> Result<(), RunError> {
+        let event = Event { cycle, kind };
         let written = self
             .journal_file
             .as_mut()

@@ -50,6 +50,7 @@ impl Session {
             averages_only: false,
             reference,
             safe: None,
+            panic_at: None,
         })
     }
 

@@ -138,7 +138,10 @@ impl Recording {
         self.shown
             .iter()
             .map(|&k| {
-                let bits = row.bits.get(k).copied().unwrap_or(f64::NAN.to_bits());
+                // The column is younger than the row.
+                let Some(&bits) = row.bits.get(k) else {
+                    return Cell::Real(f64::NAN);
+                };
                 let value = f64::from_bits(bits);
                 match self.columns[k].card().kind {
                     Kind::Hash => Cell::Hash(bits),

@@ -1,4 +1,11 @@
 //! Replaying a journal: the same commands at the same cycles, hence the same bits.
+//!
+//! A command may have been typed before or after a stage began at the same cycle; the order of the
+//! journal tells. How far to run is told by its cycles, not by the commands that asked for them.
+//! Checkpoints that were saved and restored on the way stay in memory: a replay writes no files,
+//! and needs none that the run has made itself.
+
+use std::collections::{BTreeMap, VecDeque};
 
 use super::{Budget, By, Progress, Refusal, RunError, Session};
 use crate::language::Command;
@@ -7,15 +14,17 @@ use crate::record::journal::{Event, EventKind, Journal};
 /// A journal being replayed.
 #[derive(Debug, Clone)]
 pub struct Replay {
-    events: std::collections::VecDeque<Event>,
+    events: VecDeque<Event>,
+    /// Checkpoints by the name they were saved under.
+    saved: BTreeMap<String, Vec<u8>>,
 }
 
 impl Replay {
-    /// Of a journal. What stages issued they will issue again.
+    /// Of a journal.
     pub fn new(journal: &Journal) -> Self {
-        let external = |event: &&Event| matches!(event.kind, EventKind::Typed(_) | EventKind::End);
         Self {
-            events: journal.events.iter().filter(external).cloned().collect(),
+            events: journal.events.iter().cloned().collect(),
+            saved: BTreeMap::new(),
         }
     }
 
@@ -33,23 +42,9 @@ impl Replay {
     /// what the session did is not how this journal begins.
     pub fn rest(journal: &Journal, session: &Session) -> Option<Self> {
         let mut rest = Self::new(journal);
-        let repeated = |event: &Event| {
-            matches!(&event.kind, EventKind::Typed(line)
-                if Command::parse(line).is_ok_and(|command| is_repeated(&command)))
-        };
-        for done in session
-            .journal
-            .events
-            .iter()
-            .filter(|event| repeated(event))
-        {
-            let next = rest.events.iter().position(repeated)?;
-            if rest.events[next] != *done {
-                return None;
-            }
-            rest.events.drain(..=next);
-        }
-        Some(rest)
+        let done = &session.journal.events;
+        let events = rest.events.drain(..done.len().min(rest.events.len()));
+        events.eq(done.iter().cloned()).then_some(rest)
     }
 
     /// Cycle of its end, if it came to one.
@@ -58,6 +53,12 @@ impl Replay {
             .iter()
             .rfind(|event| event.kind == EventKind::End)
             .map(|event| event.cycle)
+    }
+
+    /// Whether something later was typed, or the run came to its end.
+    fn tells_how_far(&self) -> bool {
+        let mut events = self.events.iter();
+        events.any(|event| matches!(event.kind, EventKind::Typed(_) | EventKind::End))
     }
 }
 
@@ -87,26 +88,42 @@ impl Session {
             if self.world.cycle_number() < due {
                 return Ok(Progress::Budget);
             }
-            let Some(Event {
-                cycle,
-                kind: EventKind::Typed(line),
-            }) = replay.events.pop_front()
-            else {
+            if event.kind == EventKind::End {
                 return Ok(Progress::Finished);
-            };
-            self.repeat(cycle, &line)?;
+            }
+            if let Some(event) = replay.events.pop_front() {
+                self.repeat(event, replay)?;
+            }
         }
         self.advance(budget, false)
     }
 
-    fn repeat(&mut self, cycle: u64, line: &str) -> Result<(), RunError> {
-        let command = Command::parse(line).map_err(|mistake| refused(cycle, line, mistake))?;
-        if !is_repeated(&command) {
-            return Ok(());
+    fn repeat(&mut self, event: Event, replay: &mut Replay) -> Result<(), RunError> {
+        let Event { cycle, kind } = event;
+        let line = match kind {
+            // The stage issues its commands itself, now if it has not done so yet.
+            EventKind::Stage(_) | EventKind::Staged(_) => return self.stage_turn(),
+            EventKind::End => return Ok(()),
+            EventKind::Typed(line) => line,
+        };
+        let parsed = Command::parse(&line);
+        let command = parsed.map_err(|mistake| refused(cycle, &line, mistake))?;
+        match &command {
+            // The last thing a run that was killed has been told still holds.
+            command if command.runs_cycles() && replay.tells_how_far() => {}
+            Command::Pause => {}
+            Command::Save(file) => {
+                replay.saved.insert(file.clone(), self.encode()?);
+            }
+            Command::Restore(file) if replay.saved.contains_key(file) => {
+                self.restore_from(&replay.saved[file], file)?;
+            }
+            command => {
+                let done = self.execute(command, By::User).map(drop);
+                return done.map_err(|refusal| refused(cycle, &line, refusal));
+            }
         }
-        let done = self.execute(&command, By::User);
-        done.map(drop)
-            .map_err(|refusal| refused(cycle, line, refusal))
+        self.note_at(cycle, EventKind::Typed(line))
     }
 }
 
@@ -116,9 +133,4 @@ fn refused(cycle: u64, line: &str, refusal: impl Into<Refusal>) -> RunError {
         line: line.to_owned(),
         refusal: refusal.into(),
     }
-}
-
-/// How far to run is told by the cycles of the journal itself.
-fn is_repeated(command: &Command) -> bool {
-    !command.runs_cycles() && !matches!(command, Command::Pause)
 }

@@ -8,8 +8,9 @@ use super::course::Course;
 use super::reference::Reference;
 use super::{Recording, RunError, Session};
 use crate::engine::World;
+use crate::measure::columns::Column;
 use crate::record::checkpoint;
-use crate::record::journal::{Event, Journal};
+use crate::record::journal::Journal;
 use crate::scene::Scene;
 
 /// What a checkpoint holds.
@@ -38,9 +39,7 @@ impl Session {
     /// Writes a checkpoint; changes nothing. Rows are handed to their file first, so that a killed
     /// process leaves no checkpoint behind that is ahead of it.
     pub fn save(&mut self, path: &Path) -> Result<(), RunError> {
-        if let Some(csv) = &mut self.csv {
-            csv.flush()?;
-        }
+        self.hand_over()?;
         self.save_state(path)
     }
 
@@ -52,7 +51,7 @@ impl Session {
         Ok(())
     }
 
-    fn encode(&mut self) -> Result<Vec<u8>, RunError> {
+    pub(super) fn encode(&mut self) -> Result<Vec<u8>, RunError> {
         self.world.pack();
         let bytes = checkpoint::encode(&Saving {
             journal: &self.journal,
@@ -82,17 +81,26 @@ impl Session {
         self.safe.as_ref().map(|(cycle, _)| *cycle)
     }
 
-    /// After a fault: writes the state at the start of the stage, if there was one.
-    pub fn save_safe(&self, path: &Path) -> Result<(), RunError> {
-        match &self.safe {
-            None => Ok(()),
-            Some((_, bytes)) => Ok(crate::record::whole_file::write(path, bytes)?),
-        }
+    /// After a fault: writes the state at the start of the stage, if there was one. Answers whether
+    /// it did.
+    pub fn save_safe(&self, path: &Path) -> Result<bool, RunError> {
+        let Some((_, bytes)) = &self.safe else {
+            return Ok(false);
+        };
+        crate::record::whole_file::write(path, bytes)?;
+        Ok(true)
     }
 
     /// Reads a checkpoint.
     pub fn resume(path: &Path, threads: usize) -> Result<Self, RunError> {
-        let saved: Saved = checkpoint::read(path)?;
+        Self::revive(
+            checkpoint::read(path)?,
+            &path.display().to_string(),
+            threads,
+        )
+    }
+
+    fn revive(saved: Saved, name: &str, threads: usize) -> Result<Self, RunError> {
         let Saved {
             journal,
             averages_only,
@@ -108,16 +116,14 @@ impl Session {
         )
         .map_err(|rejection| {
             RunError::Misfit(format!(
-                "{}: its preset is refused by this version ({}); run it with the version \
-                     that wrote it\n{rejection}",
-                path.display(),
+                "{name}: its preset is refused by this version ({}); run it with the version \
+                 that wrote it\n{rejection}",
                 journal.program
             ))
         })?;
         if !world.unpack(threads.max(1)) {
             return Err(RunError::Misfit(format!(
-                "{}: its contact memory does not fit; it was written by version {}",
-                path.display(),
+                "{name}: its contact memory does not fit; it was written by version {}",
                 journal.program
             )));
         }
@@ -133,30 +139,69 @@ impl Session {
             averages_only,
             reference,
             safe: None,
+            panic_at: None,
         })
     }
 
     /// Takes the state of a checkpoint over; files and the journal of this session go on.
     pub(super) fn restore(&mut self, path: &Path) -> Result<(), RunError> {
-        let threads = self.world.threads();
-        let session = Self::resume(path, threads)?;
-        let events: Vec<Event> = std::mem::take(&mut self.journal.events);
+        let saved = checkpoint::read(path)?;
+        self.take_over(saved, &path.display().to_string())
+    }
+
+    /// The same from the bytes that [`Session::encode`] gave.
+    pub(super) fn restore_from(&mut self, bytes: &[u8], name: &str) -> Result<(), RunError> {
+        let saved = checkpoint::decode(bytes)
+            .map_err(|fault| RunError::Misfit(format!("{name}: {fault}")))?;
+        self.take_over(saved, name)
+    }
+
+    fn take_over(&mut self, saved: Saved, name: &str) -> Result<(), RunError> {
+        let session = Self::revive(saved, name, self.world.threads())?;
         let same = session.journal.preset_text == self.journal.preset_text
             && session.journal.overrides == self.journal.overrides;
         if !same {
-            self.journal.events = events;
             return Err(RunError::Misfit(format!(
-                "{}: belongs to another preset, {}; open it with ballast run --resume",
-                path.display(),
+                "{name}: belongs to another preset, {}; open it with ballast run --resume",
                 session.journal.preset_name
             )));
         }
-        self.journal.events = events;
+        let shown: Vec<Column> = self.recording.shown().cloned().collect();
+        // What is being executed is what was typed now, not what was being executed then.
+        let user_lines = std::mem::take(&mut self.course.user_lines);
+        self.course = Course {
+            user_lines,
+            user_errand: None,
+            ..session.course
+        };
         self.world = session.world;
-        self.course = session.course;
         self.recording = session.recording;
         self.averages_only = session.averages_only;
         self.reference = session.reference;
+        self.rewrite_history(&shown)?;
+        self.keep_safe();
         Ok(())
+    }
+
+    /// The file being written shall hold one row for each cycle number, in the columns it began
+    /// with: rows that are no more go out of it again.
+    fn rewrite_history(&mut self, shown: &[Column]) -> Result<(), RunError> {
+        let Some(csv) = &mut self.csv else {
+            return Ok(());
+        };
+        self.recording.show(shown);
+        if !csv.restart(&self.recording.names())? {
+            self.notices.push(
+                "rows that were written to standard output cannot be taken back: later ones follow"
+                    .into(),
+            );
+            return Ok(());
+        }
+        for row in self.recording.rows() {
+            let stage = self.scene.stages.get(row.stage as usize);
+            let stage = stage.map_or("", |stage| &stage.name);
+            self.recording.write(row, stage, csv)?;
+        }
+        Ok(csv.flush()?)
     }
 }

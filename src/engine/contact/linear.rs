@@ -181,7 +181,8 @@ impl Tangential for LinearShear {
             trial
         };
         memory.0 = force;
-        let loss = if sliding {
+        // Without a spring (friction switched off under load) what was held is simply dropped.
+        let loss = if sliding && self.k > 0.0 {
             0.5 * (old + force) * ((trial - force) / self.k)
         } else {
             0.0
@@ -189,8 +190,8 @@ impl Tangential for LinearShear {
         Shear {
             force,
             loss,
+            sliding: sliding && self.k > 0.0,
             limit,
-            sliding,
         }
     }
 

@@ -43,10 +43,10 @@ pub struct Shear {
     pub force: f64,
     /// Energy lost by slip in this step [J]: mean force times slip.
     pub loss: f64,
-    /// Largest tangential force, spring and dashpot together [N].
-    pub limit: f64,
     /// Whether the whole contact slid.
     pub sliding: bool,
+    /// Friction limit: what spring and dashpot together may reach [N].
+    pub limit: f64,
 }
 
 /// What a contact does to its first body: force -n e - T t.
@@ -186,20 +186,20 @@ impl<N: Normal, T: Tangential, D: Viscosity> Law for Contact<N, T, D> {
         let drag = if shear.sliding || !T::ACTIVE {
             0.0
         } else {
-            // A dashpot that meets a sudden slip would pull with many times what friction can
-            // carry: the Coulomb limit holds for spring and dashpot together.
-            let sum = shear.force + self.dashpot.tangential(touch.slide);
-            let sum = if sum > shear.limit { shear.limit } else { sum };
-            let sum = if sum < -shear.limit {
-                -shear.limit
-            } else {
-                sum
-            };
-            sum - shear.force
+            self.dashpot.tangential(touch.slide)
+        };
+        // No contact carries more than its friction limit, whatever carries it: without friction
+        // there is no tangential dashpot either, and none kicks at the first touch.
+        let tangential = shear.force + drag;
+        let (tangential, drag) = if tangential.abs() > shear.limit {
+            let most = shear.limit.copysign(tangential);
+            (most, most - shear.force)
+        } else {
+            (tangential, drag)
         };
         Reaction {
             normal: total,
-            tangential: shear.force + drag,
+            tangential,
             damping: [total - elastic, drag],
             loss: shear.loss,
             sliding: shear.sliding,
@@ -230,9 +230,11 @@ impl<N: Normal, T: Tangential, D: Viscosity> Law for Contact<N, T, D> {
 
     fn stiffness(&self, overlap: f64) -> Stiffness {
         let k = [self.normal.stiffness(overlap), self.tangential.stiffness()];
+        let [normal, tangential] = self.dashpot.viscosity();
+        let shears = self.tangential.is_frictional();
         Stiffness {
             k,
-            c: self.dashpot.viscosity(),
+            c: [normal, if shears { tangential } else { 0.0 }],
         }
     }
 

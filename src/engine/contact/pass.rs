@@ -51,8 +51,9 @@ pub trait ContactPass: Send + Sync {
         status: &mut [Status],
         threads: &Threads,
     );
-    /// The list changed: `old[k]` is where contact k stood before, `u32::MAX` if it is new.
-    fn relist(&mut self, old: &[u32], basis: &dyn Fn(usize) -> BasisOwned);
+    /// The list changed: `old[k]` is where contact k stood before, `u32::MAX` if it is new. `room`
+    /// is how many contacts memory is kept ready for.
+    fn relist(&mut self, old: &[u32], room: usize, basis: &dyn Fn(usize) -> BasisOwned);
     /// Moves the memory of one contact to another.
     fn hand_over(&mut self, from: usize, to: usize);
     /// Whether spins exist.
@@ -67,8 +68,8 @@ pub trait ContactPass: Send + Sync {
     fn is_frictional(&self, k: usize) -> bool;
     /// Reduced memory of a contact: spring forces [N].
     fn reduced(&self, k: usize) -> [f64; 2];
-    /// Takes over the reduced memory of another kind of pass.
-    fn seed(&mut self, k: usize, forces: [f64; 2]);
+    /// Takes over the reduced memory and the bookings of another kind of pass.
+    fn seed(&mut self, k: usize, forces: [f64; 2], book: Book);
     /// Bookings of a contact; zero when none are kept.
     fn book(&self, k: usize) -> Book;
     /// Bytes per contact: parameters, memory, bookings.
@@ -338,10 +339,15 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
         });
     }
 
-    fn relist(&mut self, old: &[u32], basis: &dyn Fn(usize) -> BasisOwned) {
+    fn relist(&mut self, old: &[u32], room: usize, basis: &dyn Fn(usize) -> BasisOwned) {
         self.laws.clear();
         self.spare_memory.clear();
         self.spare_book.clear();
+        self.laws.reserve(room);
+        self.spare_memory.reserve(room);
+        if BOOK {
+            self.spare_book.reserve(room);
+        }
         for (k, &from) in old.iter().enumerate() {
             let basis = basis(k);
             self.laws.push(L::prepare(&Basis {
@@ -390,8 +396,11 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
         self.memory[k].reduced()
     }
 
-    fn seed(&mut self, k: usize, forces: [f64; 2]) {
+    fn seed(&mut self, k: usize, forces: [f64; 2], book: Book) {
         self.memory[k] = L::Memory::from_reduced(forces);
+        if BOOK {
+            self.book[k] = book;
+        }
     }
 
     fn book(&self, k: usize) -> Book {

@@ -38,6 +38,8 @@ impl Grid {
         self.columns = (span[0] / self.size) as usize + 1;
         self.rows = (span[1] / self.size) as usize + 1;
         self.starts.clear();
+        // As many as there may be, whatever shape the assembly takes.
+        self.starts.reserve(limit as usize + 2);
         self.starts.resize(self.columns * self.rows + 1, 0);
         self.home.clear();
         for row in rows {

@@ -36,6 +36,9 @@ pub struct ContactList {
     pub wall_travel: f64,
     /// Times the list was made.
     pub rebuilds: u64,
+    /// Box around all particles and their halos until the list is made again: lower and upper
+    /// corner [m].
+    pub span: [[f64; 2]; 2],
     #[serde(skip)]
     work: Work,
 }
@@ -63,6 +66,12 @@ impl ContactList {
         self.len() == 0
     }
 
+    /// Contacts that so many particles can have without asking for memory: three pairs each, the
+    /// limit of a planar network of neighbours, and every second particle at a wall.
+    pub fn room(particles: usize) -> [usize; 2] {
+        [3 * particles + 8, particles / 2 + 16]
+    }
+
     /// Makes the list anew: everything nearer than `tol` [m]. Answers where each contact stood in
     /// the old list, in a buffer to be given back.
     pub fn rebuild(&mut self, particles: &Particles, walls: &[Wall], tol: f64) -> Vec<u32> {
@@ -72,6 +81,9 @@ impl ContactList {
         work.grid.fill(rows, 2.0 * largest + tol);
         work.pairs.clear();
         work.walls.clear();
+        let [pairs, at_walls] = Self::room(rows.len());
+        work.pairs.reserve(pairs);
+        work.walls.reserve(at_walls);
         for p in 0..rows.len() {
             let first = work.pairs.len();
             let (a, pairs) = (&rows[p], &mut work.pairs);
@@ -95,12 +107,15 @@ impl ContactList {
                 }
             }
         }
-        self.carry_over();
+        self.carry_over([pairs, at_walls]);
         self.index(rows.len());
         self.reference.clear();
         self.reference.extend(rows.iter().map(|row| row.x));
         self.travel = 0.0;
         self.wall_travel = 0.0;
+        let [low, high] = particles.extent();
+        let margin = largest + 2.0 * tol;
+        self.span = [low.map(|x| x - margin), high.map(|x| x + margin)];
         self.rebuilds += 1;
         std::mem::take(&mut self.work.old)
     }
@@ -111,9 +126,10 @@ impl ContactList {
     }
 
     /// Slots, status and sides of contacts that were listed before stay what they are.
-    fn carry_over(&mut self) {
+    fn carry_over(&mut self, [pairs, at_walls]: [usize; 2]) {
         let work = &mut self.work;
         work.old.clear();
+        work.old.reserve(pairs + at_walls);
         match_sorted(&self.pairs, &work.pairs, |p| *p, &mut work.old);
         let shift = self.pairs.len() as u32;
         let from = work.old.len();
@@ -126,6 +142,9 @@ impl ContactList {
         work.slots.clear();
         work.status.clear();
         work.touches.clear();
+        work.slots.reserve(pairs + at_walls);
+        work.status.reserve(pairs + at_walls);
+        work.touches.reserve(at_walls);
         for old in &mut work.old[from..] {
             if *old != NEW {
                 *old += shift;
@@ -167,6 +186,8 @@ impl ContactList {
             self.starts[p] += self.starts[p - 1];
         }
         self.entries.clear();
+        let [pairs, at_walls] = Self::room(particles);
+        self.entries.reserve(2 * pairs + at_walls);
         self.entries
             .resize(2 * self.pairs.len() + self.walls.len(), 0);
         let mut place = |p: u32, entry: usize| {

@@ -64,6 +64,18 @@ impl History {
         self.lines.push(&self.line)
     }
 
+    /// Starts over in the same place: takes every row back and writes the header again. False where
+    /// nothing can be taken back, as on standard output: then nothing has changed.
+    pub fn restart(&mut self, columns: &[String]) -> Result<bool, RecordError> {
+        if !self.lines.clear()? {
+            return Ok(false);
+        }
+        self.width = columns.len();
+        self.line = header(columns);
+        self.lines.push(&self.line)?;
+        Ok(true)
+    }
+
     /// Hands all rows to the operating system: from there a killed process loses none of them.
     /// When the disk is full the rows that fit are kept whole, and the others wait.
     pub fn flush(&mut self) -> Result<(), RecordError> {

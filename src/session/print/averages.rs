@@ -12,13 +12,19 @@ use crate::language::command::ParticleRange;
 /// One parameter of one item: what it is called, its value.
 type Value = (String, f64);
 
+/// Name and unit of a parameter, and where its value comes from.
+type Parameter<F> = (&'static str, &'static str, F);
+
+/// A parameter of a contact; `None` where it is not defined.
+type OfContact = fn(&Carried) -> Option<f64>;
+
 /// Over particles.
 pub(super) fn balls(world: &World, range: Option<ParticleRange>) -> Vec<String> {
     let chosen = balls::chosen(world, range);
     if chosen.is_empty() {
         return balls::none(range);
     }
-    let rows: [(&str, &str, &dyn Fn(usize) -> f64); 7] = [
+    let rows: [Parameter<&dyn Fn(usize) -> f64>; 7] = [
         ("angle", "rad", &|p| world.particles().row[p].angle),
         ("vx", "m/s", &|p| world.velocity(p).0[0]),
         ("vy", "m/s", &|p| world.velocity(p).0[1]),
@@ -42,7 +48,7 @@ pub(super) fn contacts(world: &World, range: Option<ParticleRange>) -> Vec<Strin
     if chosen.is_empty() {
         return contacts::none(world, range);
     }
-    let rows: [(&str, &str, fn(&Carried) -> Option<f64>); 5] = [
+    let rows: [Parameter<OfContact>; 5] = [
         ("n", "N", |c| Some(c.normal)),
         ("t", "N", |c| Some(c.tangential)),
         ("angle", "deg", |c| Some(c.angle)),

@@ -34,7 +34,7 @@ pub(super) fn load(world: &World, p: usize) -> ([f64; 2], f64) {
 }
 
 /// What of its motion is prescribed, in words.
-pub(super) fn prescribed(fixed: [bool; 3]) -> String {
+pub(in crate::session) fn prescribed(fixed: [bool; 3]) -> String {
     if fixed == [true; 3] {
         return "driven".into();
     }

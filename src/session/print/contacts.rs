@@ -97,6 +97,9 @@ pub(super) fn chosen(world: &World, range: Option<ParticleRange>) -> Vec<Carried
 
 /// What is said when there are none.
 pub(super) fn none(world: &World, range: Option<ParticleRange>) -> Vec<String> {
+    if super::balls::chosen(world, range).is_empty() {
+        return super::balls::none(range);
+    }
     let near = world.contacts().len();
     vec![match range {
         Some(range) => format!("no contact of the particles numbered {range} touches"),

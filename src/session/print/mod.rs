@@ -11,6 +11,7 @@ mod materials;
 mod step;
 mod walls;
 
+pub(super) use balls::prescribed;
 pub(super) use contacts::{Carried, LARGE};
 pub(super) use layout::listed;
 pub(super) use materials::dashpots;
@@ -60,7 +61,7 @@ mod tests {
         gravity = [0.0, -9.81]
         [damping]
         contact = 0.1
-        [material."a material with a name that is too long"]
+        [material."a-material-with-a-name-that-is-too-long"]
         density = 2650.0
         normal_stiffness = 1.234567e9
         shear_stiffness = 1.234567e9
@@ -69,24 +70,24 @@ mod tests {
         [[particle]]
         at = [-1.23456789e-3, 0.99e-3]
         radius = 1e-3
-        material = "a material with a name that is too long"
+        material = "a-material-with-a-name-that-is-too-long"
         velocity = [-1.2345678e-5, -0.123456789]
         spin = -1234567.89
         [[particle]]
         at = [0.77e-3, 1.01e-3]
         radius = 1e-3
-        material = "a material with a name that is too long"
+        material = "a-material-with-a-name-that-is-too-long"
         fixed = ["x"]
         [[particle]]
         at = [50e-3, 50e-3]
         radius = 1e-3
-        material = "a material with a name that is too long"
+        material = "a-material-with-a-name-that-is-too-long"
         driven = true
         [[wall]]
         name = "floor"
         from = [-1.0, 0.0]
         to = [1.0, -1.23456789e-7]
-        material = "a material with a name that is too long"
+        material = "a-material-with-a-name-that-is-too-long"
         [history]
         columns = ["energy_error"]
         [[stage]]

@@ -25,7 +25,7 @@ pub(super) fn lines(world: &World) -> Vec<String> {
     };
     let largest = monitor
         .largest
-        .map_or_else(|| "not known yet".into(), figure);
+        .map_or_else(|| "not evaluated since".into(), figure);
     listed(&[
         ("cycle", world.cycle_number().to_string()),
         ("time", seconds(world.time())),

@@ -34,7 +34,7 @@ fn place(world: &World) -> Vec<String> {
     for wall in world.walls() {
         let mut row = vec![name(&wall.name)];
         for (end, h) in [wall.h1, wall.h2].into_iter().enumerate() {
-            for axis in 0..2 {
+            for (axis, shift) in origin.iter().enumerate() {
                 // An infinite stretch along one axis says nothing about the other.
                 let run = if wall.direction[axis] == 0.0 {
                     wall.point[axis]
@@ -43,7 +43,7 @@ fn place(world: &World) -> Vec<String> {
                 } else {
                     h * wall.direction[axis]
                 };
-                row.push(figure(run + origin[axis]));
+                row.push(figure(run + shift));
             }
         }
         row.extend(wall.velocity.map(figure));

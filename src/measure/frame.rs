@@ -1,0 +1,168 @@
+//! A picture of a world at a cycle boundary: what screens and files draw. Immutable, and complete
+//! in itself: whoever draws it needs no world.
+
+use crate::engine::World;
+use crate::engine::neighbours::Status;
+
+/// A disc.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Disc {
+    /// Number.
+    pub id: u32,
+    /// Centre [m].
+    pub at: [f64; 2],
+    /// Radius [m].
+    pub radius: f64,
+    /// Velocity [m/s].
+    pub velocity: [f64; 2],
+    /// Spin [rad/s].
+    pub spin: f64,
+    /// Angle [rad].
+    pub angle: f64,
+    /// Index of the material.
+    pub material: u16,
+    /// Whether its motion is prescribed.
+    pub driven: bool,
+}
+
+/// A touching contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Touch {
+    /// Ends of the branch: the two centres, or centre and foot on the wall [m].
+    pub ends: [[f64; 2]; 2],
+    /// Radii summed, or the radius at a wall: length of the force bar [m].
+    pub length: f64,
+    /// Unit vector from the first body to the second.
+    pub normal: [f64; 2],
+    /// Normal force [N].
+    pub n: f64,
+    /// Tangential force [N].
+    pub t: f64,
+    /// Whether it slides.
+    pub sliding: bool,
+    /// Number of the first particle.
+    pub first: u32,
+    /// Number of the second, or `None` at a wall.
+    pub second: Option<u32>,
+}
+
+impl Touch {
+    /// Magnitude of the contact force [N].
+    pub fn force(&self) -> f64 {
+        (self.n * self.n + self.t * self.t).sqrt()
+    }
+}
+
+/// A wall as far as it can be drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stroke {
+    /// Name.
+    pub name: String,
+    /// Ends [m]; infinite ones are cut where the scene ends.
+    pub ends: [[f64; 2]; 2],
+}
+
+/// The assembly.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Picture {
+    /// Discs in ascending number.
+    pub discs: Vec<Disc>,
+    /// Touching contacts in list order.
+    pub touches: Vec<Touch>,
+    /// Walls.
+    pub walls: Vec<Stroke>,
+    /// Lower and upper corner of everything drawn [m].
+    pub bounds: [[f64; 2]; 2],
+}
+
+impl Picture {
+    /// Draws a world whose forces are summed.
+    pub fn of(world: &World) -> Self {
+        let mut picture = Self {
+            bounds: bounds(world),
+            ..Self::default()
+        };
+        let particles = world.particles();
+        for p in 0..particles.len() {
+            let (velocity, spin) = world.velocity(p);
+            let row = &particles.row[p];
+            picture.discs.push(Disc {
+                id: particles.id[p],
+                at: world.position(p),
+                radius: row.radius,
+                velocity,
+                spin,
+                angle: row.angle,
+                material: particles.material[p],
+                driven: particles.is_driven(p),
+            });
+        }
+        let list = world.contacts();
+        for k in (0..list.len()).filter(|&k| list.status[k] != Status::Apart) {
+            let (g, reaction) = (world.geometry(k), world.reaction(k));
+            let (first, second) = match list.pairs.get(k) {
+                Some(&[i, j]) => (i as usize, Some(j as usize)),
+                None => (list.walls[k - list.pairs.len()].particle as usize, None),
+            };
+            let from = world.position(first);
+            let to = [0, 1].map(|axis| from[axis] + g.distance * g.e[axis]);
+            let reach = second.map_or(0.0, |j| particles.row[j].radius);
+            picture.touches.push(Touch {
+                ends: [from, to],
+                length: particles.row[first].radius + reach,
+                normal: g.e,
+                n: reaction.normal,
+                t: reaction.tangential,
+                sliding: reaction.sliding,
+                first: particles.id[first],
+                second: second.map(|j| particles.id[j]),
+            });
+        }
+        let [low, high] = picture.bounds;
+        let far = (high[0] - low[0]).max(high[1] - low[1]);
+        for wall in world.walls() {
+            let cut = |h: f64| h.clamp(-2.0 * far, 2.0 * far);
+            let end = |h: f64| {
+                [0, 1].map(|k| wall.point[k] + cut(h) * wall.direction[k] + world.origin()[k])
+            };
+            let ends = [end(wall.h1), end(wall.h2)];
+            picture.walls.push(Stroke {
+                name: wall.name.clone(),
+                ends,
+            });
+        }
+        picture
+    }
+}
+
+/// Of all discs and of the finite ends of walls.
+fn bounds(world: &World) -> [[f64; 2]; 2] {
+    let mut low = [f64::INFINITY; 2];
+    let mut high = [f64::NEG_INFINITY; 2];
+    let mut take = |x: [f64; 2], r: f64| {
+        for k in 0..2 {
+            if x[k].is_finite() {
+                low[k] = low[k].min(x[k] - r);
+                high[k] = high[k].max(x[k] + r);
+            }
+        }
+    };
+    for p in 0..world.particles().len() {
+        take(world.position(p), world.particles().row[p].radius);
+    }
+    for wall in world
+        .walls()
+        .iter()
+        .filter(|wall| (wall.h2 - wall.h1).is_finite())
+    {
+        for end in 0..2 {
+            let x = wall.end(end);
+            take([x[0] + world.origin()[0], x[1] + world.origin()[1]], 0.0);
+        }
+    }
+    if low[0] > high[0] || low[1] > high[1] {
+        [[0.0; 2], [1.0; 2]]
+    } else {
+        [low, high]
+    }
+}

@@ -1,0 +1,89 @@
+//! Contacts as the measures see them: which way they point, what they carry, how much of them
+//! belongs to a region.
+
+use nalgebra::Vector2;
+
+use crate::engine::World;
+use crate::engine::contact_report::Other;
+use crate::engine::neighbours::{Slot, Status};
+
+/// A contact that is not apart.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Link {
+    /// Index of the first particle.
+    pub first: usize,
+    /// Index of the second; `None` for a wall.
+    pub second: Option<usize>,
+    /// Unit normal, from the first body to the second.
+    pub e: Vector2<f64>,
+    /// Unit tangent (e2, -e1).
+    pub t: Vector2<f64>,
+    /// From each centre to the contact along the normal [m]: the distance of the centres, split as
+    /// the lever arms; from the centre to the surface of a wall, which has no part of its own.
+    pub arms: [f64; 2],
+    /// Force on the first particle [N].
+    pub force: Vector2<f64>,
+    /// Normal force [N], compression positive.
+    pub normal: f64,
+    /// Tangential force [N].
+    pub tangential: f64,
+    /// Whether it slid in the last cycle.
+    pub sliding: bool,
+}
+
+impl Link {
+    /// All contacts that are not apart, in the order of the list: sums over it have the same bits
+    /// whatever the number of threads.
+    pub fn all(world: &World) -> impl Iterator<Item = Self> + '_ {
+        let list = world.contacts();
+        (0..list.len())
+            .filter(|&k| list.status[k] != Status::Apart)
+            .map(|k| Self::of(world, k))
+    }
+
+    fn of(world: &World, k: usize) -> Self {
+        let (geometry, reaction) = (world.geometry(k), world.reaction(k));
+        let Slot([fx, fy, ..]) = world.contacts().slots[k];
+        let radius = |p: usize| world.particles().row[p].radius;
+        let (first, second, arms) = match world.bodies(k) {
+            (i, Other::Particle(j)) => {
+                let arms = [radius(i) * geometry.arm, radius(j) * geometry.arm];
+                (i, Some(j), arms)
+            }
+            (i, Other::Wall(_)) => (i, None, [geometry.distance, 0.0]),
+        };
+        let [e1, e2] = geometry.e;
+        Self {
+            first,
+            second,
+            e: Vector2::new(e1, e2),
+            t: Vector2::new(e2, -e1),
+            arms,
+            force: Vector2::new(fx, fy),
+            normal: reaction.normal,
+            tangential: reaction.tangential,
+            sliding: reaction.sliding,
+        }
+    }
+
+    /// Whether it presses; what is counted over contacts is counted over these.
+    pub fn is_touching(&self) -> bool {
+        self.normal > 0.0
+    }
+
+    /// How much of it counts for the particles marked as inside: half for each end, a wall contact
+    /// whole.
+    pub fn weight(&self, inside: &[bool]) -> f64 {
+        let end = |p: usize| f64::from(u8::from(inside[p]));
+        match self.second {
+            Some(second) => 0.5 * (end(self.first) + end(second)),
+            None => end(self.first),
+        }
+    }
+
+    /// Length of its arms that belong to particles marked as inside [m].
+    pub fn reach(&self, inside: &[bool]) -> f64 {
+        let end = |p: usize, arm: f64| if inside[p] { arm } else { 0.0 };
+        end(self.first, self.arms[0]) + self.second.map_or(0.0, |p| end(p, self.arms[1]))
+    }
+}

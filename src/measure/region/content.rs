@@ -1,0 +1,65 @@
+//! What is in a region: its particles, its discs, its porosity.
+
+use std::f64::consts::PI;
+
+use super::Region;
+use crate::engine::World;
+use crate::measure::tensor::ratio;
+
+/// What is in a region at a cycle boundary.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Content {
+    /// For each particle, whether its centre is inside.
+    pub inside: Vec<bool>,
+    /// Area of the region [m²].
+    pub area: f64,
+    /// Area of discs in the region, each cut exactly at its boundary [m²]. Where discs overlap, the
+    /// overlap counts twice.
+    pub disc_area: f64,
+    /// Area of the discs whose centre is inside, uncut [m²].
+    pub member_area: f64,
+    /// Thickness of the assembly [m].
+    pub thickness: f64,
+}
+
+impl Content {
+    /// Looks at a region.
+    pub fn of(world: &World, region: &Region) -> Self {
+        let shape = region.shape.inner(world);
+        let rows = &world.particles().row;
+        let mut inside = Vec::with_capacity(rows.len());
+        let (mut disc_area, mut member_area) = (0.0, 0.0);
+        for row in rows {
+            let is_inside = shape.contains(row.x);
+            disc_area += shape.part_of(row.x, row.radius);
+            if is_inside {
+                member_area += PI * row.radius * row.radius;
+            }
+            inside.push(is_inside);
+        }
+        Self {
+            inside,
+            area: shape.area(world),
+            disc_area,
+            member_area,
+            thickness: world.thickness(),
+        }
+    }
+
+    /// Number of particles whose centre is inside.
+    pub fn particles(&self) -> usize {
+        self.inside.iter().filter(|&&inside| inside).count()
+    }
+
+    /// Areal porosity: the part of the area that no disc covers; NaN without area.
+    pub fn porosity(&self) -> f64 {
+        1.0 - ratio(self.disc_area, self.area)
+    }
+
+    /// (1 - n)/ΣV of a stress [1/m³]: V is the volume a particle stands for, disc area times
+    /// thickness for both bodies, so that (1 - n) and V speak of the same solid. For spheres this
+    /// is the stress of a slice one mean diameter thick.
+    pub fn per_volume(&self) -> f64 {
+        ratio(1.0 - self.porosity(), self.member_area * self.thickness)
+    }
+}

@@ -1,0 +1,101 @@
+//! Stress in a region, and where it comes from.
+//!
+//! σ = (1 - n)/(ΣV_p) Σ_p Σ_c r ⊗ f over the particles with their centre inside, compression
+//! positive (Christoffersen, Mehrabadi & Nemat-Nasser 1981 in the form of Randall 1989, 4.6). It is
+//! the sum of what the mean normal force does by the fabric alone, what normal forces add by
+//! differing from that mean, and what tangential forces add (Cundall & Strack 1983). Each part is
+//! summed from contacts by itself, none is a difference.
+
+use nalgebra::Matrix2;
+
+use super::link::Link;
+use super::region::Content;
+use super::tensor::{self, Principal, ratio};
+use crate::engine::World;
+
+/// Stress of a region [Pa], compression positive: the first index belongs to the branch, the second
+/// to the force.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stress {
+    /// The whole, from forces as they act.
+    pub total: Matrix2<f64>,
+    /// What the mean normal force would cause in every contact: fabric.
+    pub fabric: Matrix2<f64>,
+    /// What differences of the normal forces from their mean cause.
+    pub normal_variation: Matrix2<f64>,
+    /// What tangential forces cause.
+    pub shear: Matrix2<f64>,
+    /// Mean normal force of the region's contacts, those at its edge by half [N].
+    pub mean_normal: f64,
+}
+
+impl Stress {
+    /// Sums over the contacts of a region. Contacts that a dashpot pulls at take part: they carry
+    /// force.
+    pub fn of(world: &World, content: &Content) -> Self {
+        let inside = &content.inside;
+        let (mut sum, mut count) = (0.0, 0.0);
+        for link in Link::all(world) {
+            let weight = link.weight(inside);
+            sum += weight * link.normal;
+            count += weight;
+        }
+        let mean = ratio(sum, count);
+        let zero = Matrix2::zeros;
+        let (mut total, mut fabric, mut variation, mut shear) = (zero(), zero(), zero(), zero());
+        for link in Link::all(world) {
+            let reach = link.reach(inside);
+            if reach == 0.0 {
+                continue;
+            }
+            let branch = reach * link.e;
+            let along = branch * link.e.transpose();
+            total -= branch * link.force.transpose();
+            fabric += mean * along;
+            variation += (link.normal - mean) * along;
+            shear += link.tangential * (branch * link.t.transpose());
+        }
+        let per_volume = content.per_volume();
+        Self {
+            total: total * per_volume,
+            fabric: fabric * per_volume,
+            normal_variation: variation * per_volume,
+            shear: shear * per_volume,
+            mean_normal: mean,
+        }
+    }
+
+    /// Sum of the three parts [Pa].
+    pub fn parts(&self) -> Matrix2<f64> {
+        self.fabric + self.normal_variation + self.shear
+    }
+
+    /// Principal stresses [Pa].
+    pub fn principal(&self) -> Principal {
+        Principal::of(&self.total)
+    }
+
+    /// Mean of the principal stresses [Pa].
+    pub fn isotropic(&self) -> f64 {
+        0.5 * self.total.trace()
+    }
+
+    /// Difference of the principal stresses [Pa].
+    pub fn deviator(&self) -> f64 {
+        tensor::deviator(&self.total)
+    }
+
+    /// Sine of the mobilised angle of friction, (s1 - s2)/(s1 + s2).
+    pub fn sin_phi(&self) -> f64 {
+        ratio(self.deviator(), self.total.trace())
+    }
+
+    /// The part of `sin_phi` that tangential forces carry: their stress on the principal axes of the
+    /// whole, over s1 + s2. NaN where the whole has no axes.
+    pub fn sin_phi_shear(&self) -> f64 {
+        ratio(
+            tensor::projected(&self.shear, &self.total),
+            self.total.trace(),
+        )
+    }
+}

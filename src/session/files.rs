@@ -1,0 +1,129 @@
+//! Commands about files: checkpoints, histories, journals, commands from a file.
+
+use std::path::{Path, PathBuf};
+
+use super::execute::{Reply, Request};
+use super::{Refusal, RunError, Session};
+use crate::language::{Command, Known};
+use crate::record::error::{Attempt, RecordError};
+use crate::record::journal::{Event, EventKind};
+
+impl Session {
+    pub(super) fn keep(&mut self, command: &Command) -> Result<Reply, Refusal> {
+        let failed =
+            |error: RunError| Refusal::new(error.to_string(), "the run itself is not affected");
+        let cycle = self.world.cycle_number();
+        match command {
+            Command::Save(file) => {
+                self.save(Path::new(file)).map_err(failed)?;
+                Ok(Reply::line(format!("saved cycle {cycle} in {file}")))
+            }
+            Command::Restore(file) => {
+                self.restore(Path::new(file)).map_err(failed)?;
+                let back = self.world.cycle_number();
+                Ok(Reply::line(format!("back at cycle {back}")))
+            }
+            Command::ExportCsv(file) => {
+                let rows = self.export_csv(Path::new(file)).map_err(failed)?;
+                Ok(Reply::line(format!("{rows} rows in {file}")))
+            }
+            Command::Journal(file) => {
+                let mut journal = self.journal.clone();
+                let count = journal.events.len();
+                // Otherwise a replay would run all stages to their end, not to this cycle.
+                let kind = EventKind::End;
+                journal.events.push(Event { cycle, kind });
+                let text = journal.to_string();
+                crate::record::whole_file::write(Path::new(file), text.as_bytes())?;
+                Ok(Reply::line(format!("{count} events in {file}")))
+            }
+            Command::Source(file) => self.source(file),
+            _ => Ok(Reply::default()),
+        }
+    }
+
+    /// All lines are read, and checked as far as they can be, before the first takes effect.
+    fn source(&mut self, file: &str) -> Result<Reply, Refusal> {
+        let mut reading = Reading {
+            known: self.known(),
+            lines: Vec::new(),
+            open: Vec::new(),
+        };
+        reading.file(Path::new(file))?;
+        let count = reading.lines.len();
+        if count == 0 {
+            return Ok(Reply::line(format!("no commands in {file}")));
+        }
+        // What ran for an earlier command has been interrupted by this one.
+        self.course.user_errand = None;
+        self.course.user_lines = reading.lines.into();
+        Ok(Reply::asking(
+            format!("{count} commands from {file}"),
+            Request::Run,
+        ))
+    }
+}
+
+/// A file of commands being read, and those it names.
+struct Reading {
+    known: Known,
+    lines: Vec<String>,
+    open: Vec<PathBuf>,
+}
+
+impl Reading {
+    fn file(&mut self, path: &Path) -> Result<(), Refusal> {
+        let failed = |error| Refusal::from(RecordError::new(path, Attempt::Read, error));
+        // One name for each file, whichever way it is written.
+        let file = path.canonicalize().map_err(failed)?;
+        if self.open.contains(&file) {
+            return Err(Refusal::new(
+                format!("{} is being read already", path.display()),
+                "files cannot source each other in a circle",
+            ));
+        }
+        let text = std::fs::read_to_string(path).map_err(failed)?;
+        self.open.push(file);
+        for (number, line) in text.lines().enumerate() {
+            let bare = line.trim_start();
+            if bare.is_empty() || bare.starts_with('#') {
+                continue;
+            }
+            let place = |refusal: Refusal| Refusal {
+                message: format!(
+                    "{}, line {}: {}",
+                    path.display(),
+                    number + 1,
+                    refusal.message
+                ),
+                ..refusal
+            };
+            self.line(line).map_err(place)?;
+        }
+        self.open.pop();
+        Ok(())
+    }
+
+    fn line(&mut self, line: &str) -> Result<(), Refusal> {
+        let command = Command::parse(line)?;
+        self.known.check(&command, line)?;
+        self.known.follow(&command);
+        match &command {
+            Command::Source(file) => return self.file(Path::new(file)),
+            Command::Go => {
+                return Err(Refusal::new(
+                    "`go` says not how far",
+                    "write `cycle N` or `solve` in a file",
+                ));
+            }
+            Command::Quit { .. } => {
+                return Err(Refusal::new(
+                    "`quit` has no place in a file of commands",
+                    "type it when they are done",
+                ));
+            }
+            _ => self.lines.push(command.to_string()),
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,191 @@
+//! Frames: everything a screen shows, taken at a cycle boundary.
+
+use std::sync::Arc;
+
+use super::Session;
+use crate::engine::ledger::{Bookings, Energies};
+use crate::engine::world::FraccMonitor;
+use crate::measure::assembly::Assembly;
+use crate::measure::columns::{Column, Kind};
+use crate::measure::frame::Picture;
+use crate::measure::sample::Sample;
+
+/// Which costly parts of a frame are wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Wants {
+    /// Discs, contacts and walls.
+    pub picture: bool,
+    /// Energies, if they are booked or not.
+    pub energies: bool,
+    /// Rose diagrams.
+    pub roses: bool,
+}
+
+impl Default for Wants {
+    fn default() -> Self {
+        Self {
+            picture: true,
+            energies: true,
+            roses: true,
+        }
+    }
+}
+
+/// A row of the history for charts.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ChartRow {
+    /// Cycles done.
+    pub cycle: u64,
+    /// Simulated time [s].
+    pub time: f64,
+    /// Index of the stage.
+    pub stage: u32,
+    /// Values of the columns in [`Frame::columns`].
+    pub values: Vec<f64>,
+}
+
+/// What a screen shows.
+#[derive(Debug, Clone)]
+pub struct Frame {
+    /// Counts up from frame to frame.
+    pub serial: u64,
+    /// Title of the preset.
+    pub title: String,
+    /// Name of the preset.
+    pub preset: String,
+    /// Cycles done.
+    pub cycle: u64,
+    /// Simulated time [s].
+    pub time: f64,
+    /// Time step [s].
+    pub dt: f64,
+    /// FRAC.
+    pub frac: f64,
+    /// Largest stable FRAC by the stiffness bound.
+    pub frac_limit: f64,
+    /// Name of the stage.
+    pub stage: String,
+    /// Stage number from 1, and how many there are.
+    pub stages: (usize, usize),
+    /// Cycles done in the stage, and its greatest length if known.
+    pub stage_cycles: (u64, Option<u64>),
+    /// Whether all stages are done.
+    pub finished: bool,
+    /// Whether cycles are running.
+    pub running: bool,
+    /// Cycles per second of wall clock, lately.
+    pub rate: f64,
+    /// Contact statistics.
+    pub assembly: Assembly,
+    /// What the FRACC monitor saw.
+    pub fracc: FraccMonitor,
+    /// The assembly, if wanted.
+    pub picture: Picture,
+    /// Energies, if wanted.
+    pub energies: Option<Energies>,
+    /// Losses and work, if wanted and booked.
+    pub bookings: Option<Bookings>,
+    /// Columns that are recorded and are numbers.
+    pub columns: Arc<[Column]>,
+    /// Rows recorded since the last frame.
+    pub rows: Vec<ChartRow>,
+    /// Whether `rows` begins the history anew.
+    pub restarted: bool,
+    /// Friction of each material by name.
+    pub friction: Vec<(String, f64)>,
+    /// Every so many cycles a row.
+    pub every: u64,
+    /// Names for completion.
+    pub known: Arc<crate::language::Known>,
+}
+
+/// What has been shown already.
+#[derive(Debug, Default)]
+pub struct Shown {
+    serial: u64,
+    rows: usize,
+    columns: Arc<[Column]>,
+}
+
+impl Session {
+    /// Takes a frame.
+    pub fn frame(&mut self, wants: Wants, rate: f64, running: bool, shown: &mut Shown) -> Frame {
+        let columns: Vec<Column> = self
+            .recording()
+            .shown()
+            .filter(|c| c.card().kind != Kind::Hash)
+            .cloned()
+            .collect();
+        let rows = self.recording().rows().len();
+        let restarted = rows < shown.rows || *shown.columns != *columns || shown.serial == 0;
+        if restarted {
+            shown.rows = 0;
+            shown.columns = columns.into();
+        }
+        let places: Vec<Option<usize>> = shown
+            .columns
+            .iter()
+            .map(|column| self.recording().position(column))
+            .collect();
+        let new = (shown.rows..rows).map(|row| {
+            let of = &self.recording().rows()[row];
+            let value =
+                |place: &Option<usize>| place.map_or(f64::NAN, |k| self.recording().value(row, k));
+            ChartRow {
+                cycle: of.cycle,
+                time: of.time,
+                stage: of.stage,
+                values: places.iter().map(value).collect(),
+            }
+        });
+        let new: Vec<ChartRow> = new.collect();
+        shown.rows = rows;
+        shown.serial += 1;
+        let (stage, stages) = self.stage_number();
+        let stage_cycles = (self.stage_cycle(), self.stage_length());
+        let known = Arc::new(self.known());
+        let sample = Sample::of(&mut self.world);
+        let assembly = *sample.assembly();
+        let energies = wants.energies.then(|| *sample.energies());
+        let booked = wants.energies && sample.world().ledger().is_some();
+        let bookings = booked.then(|| *sample.bookings());
+        let picture = if wants.picture {
+            Picture::of(sample.world())
+        } else {
+            Picture::default()
+        };
+        let world = &self.world;
+        Frame {
+            serial: shown.serial,
+            title: self.scene.about.title.clone(),
+            preset: self.scene.name.clone(),
+            cycle: world.cycle_number(),
+            time: world.time(),
+            dt: world.dt(),
+            frac: world.model().frac,
+            frac_limit: world.frac_limit(),
+            stage: self.stage_name().to_owned(),
+            stages: ((stage + 1).min(stages), stages),
+            stage_cycles,
+            finished: self.is_finished(),
+            running,
+            rate,
+            assembly,
+            fracc: world.fracc_monitor().clone(),
+            picture,
+            energies,
+            bookings,
+            columns: Arc::clone(&shown.columns),
+            rows: new,
+            restarted,
+            friction: world
+                .model()
+                .materials
+                .iter()
+                .map(|m| (m.name.clone(), m.friction))
+                .collect(),
+            every: self.recording.every,
+            known,
+        }
+    }
+}

@@ -1,0 +1,438 @@
+//! The thread that owns the session of a workbench.
+//!
+//! It runs batches of some milliseconds and between them takes orders and, if the screen has
+//! emptied the mailbox, leaves the newest frame there. It never waits for the screen.
+
+use std::io::Write;
+use std::os::unix::net::UnixStream;
+use std::path::PathBuf;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
+
+use super::frames::{Frame, Shown, Wants};
+use super::{Budget, Progress, Refusal, Reply, Request, RunError, Session};
+
+/// Length of a batch: short enough to answer keys at once.
+const BATCH: Duration = Duration::from_millis(5);
+
+/// The state is saved this often while cycles run.
+const SAVE: Duration = Duration::from_secs(60);
+
+/// The rate shown is that of the last so much time.
+const RATE_WINDOW: Duration = Duration::from_millis(500);
+
+/// What the screen asks of the worker.
+pub enum Order {
+    /// A typed line.
+    Line(String),
+    /// Run, pause, or the other of the two.
+    Go,
+    /// Stop at the next boundary.
+    Pause,
+    /// Run if paused, pause if running.
+    Toggle,
+    /// Cycles up to the next row of the history.
+    Row,
+    /// Which parts of frames are wanted.
+    Wants(Wants),
+    /// At most so many cycles per second; `None`: as fast as possible.
+    Pace(Option<f64>),
+    /// Another session instead of this one.
+    Replace(Box<Session>, Option<f64>, Option<Keep>),
+    /// A frame even if nothing has changed.
+    Refresh,
+    /// Save the state and end.
+    Stop,
+}
+
+/// What the worker tells the screen.
+#[derive(Debug)]
+pub enum Report {
+    /// A line was executed.
+    Said {
+        /// The line.
+        line: String,
+        /// What came of it.
+        reply: Result<Reply, Refusal>,
+    },
+    /// Something the user should know.
+    Notice(String),
+    /// The run cannot go on.
+    Failed(String),
+    /// The pace is this now.
+    Pace(Option<f64>),
+    /// A command asks to end; whether without asking.
+    Quit(bool),
+}
+
+/// Newest frame, handed over.
+pub type Mailbox = Arc<Mutex<Option<Box<Frame>>>>;
+
+/// Where the state is kept.
+#[derive(Debug, Clone)]
+pub struct Keep {
+    /// Checkpoint.
+    pub checkpoint: PathBuf,
+    /// Journal.
+    pub journal: PathBuf,
+}
+
+/// The screen's end.
+pub struct Worker {
+    orders: Sender<Order>,
+    reports: Receiver<Report>,
+    mailbox: Mailbox,
+    thread: Option<JoinHandle<Box<Session>>>,
+}
+
+impl Worker {
+    /// Starts the thread. `wake` gets a byte for every report and frame.
+    pub fn start(
+        session: Session,
+        keep: Option<Keep>,
+        running: bool,
+        pace: Option<f64>,
+        wake: UnixStream,
+    ) -> std::io::Result<Self> {
+        let (orders, inbox) = channel();
+        let (outbox, reports) = channel();
+        let mailbox: Mailbox = Arc::default();
+        let desk = Desk {
+            session: Box::new(session),
+            keep,
+            inbox,
+            outbox,
+            mailbox: Arc::clone(&mailbox),
+            wake,
+            running,
+            free: false,
+            changed: true,
+            pace,
+            wants: Wants::default(),
+            shown: Shown::default(),
+            rate: Rate::default(),
+            saved: Instant::now(),
+            saved_cycle: None,
+        };
+        let thread = std::thread::Builder::new()
+            .name("ballast-run".into())
+            .spawn(|| desk.work())?;
+        Ok(Self {
+            orders,
+            reports,
+            mailbox,
+            thread: Some(thread),
+        })
+    }
+
+    /// Gives an order; false when the thread has ended.
+    pub fn order(&self, order: Order) -> bool {
+        self.orders.send(order).is_ok()
+    }
+
+    /// Next report, if there is one.
+    pub fn report(&self) -> Option<Report> {
+        self.reports.try_recv().ok()
+    }
+
+    /// Newest frame, if there is one.
+    pub fn frame(&self) -> Option<Box<Frame>> {
+        self.mailbox
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .take()
+    }
+
+    /// Whether the thread has ended by itself, which only a panic does.
+    pub fn has_died(&self) -> bool {
+        self.thread.as_ref().is_none_or(JoinHandle::is_finished)
+    }
+
+    /// Ends the thread with everything saved; the session, unless it panicked.
+    pub fn stop(mut self) -> Option<Box<Session>> {
+        self.order(Order::Stop);
+        self.thread.take().and_then(|thread| thread.join().ok())
+    }
+}
+
+/// Cycles per second of the last moments.
+#[derive(Debug, Default)]
+struct Rate {
+    since: Option<(Instant, u64)>,
+    value: f64,
+}
+
+impl Rate {
+    fn update(&mut self, cycle: u64, running: bool) -> f64 {
+        let now = Instant::now();
+        match self.since {
+            Some((then, first)) if now - then >= RATE_WINDOW => {
+                self.value = cycle.saturating_sub(first) as f64 / (now - then).as_secs_f64();
+                self.since = Some((now, cycle));
+            }
+            None => self.since = Some((now, cycle)),
+            Some(_) => {}
+        }
+        if running { self.value } else { 0.0 }
+    }
+}
+
+/// The worker's own end.
+struct Desk {
+    session: Box<Session>,
+    keep: Option<Keep>,
+    inbox: Receiver<Order>,
+    outbox: Sender<Report>,
+    mailbox: Mailbox,
+    wake: UnixStream,
+    running: bool,
+    /// Whether to run on although all stages are done.
+    free: bool,
+    /// Whether there is something new to show.
+    changed: bool,
+    pace: Option<f64>,
+    wants: Wants,
+    shown: Shown,
+    rate: Rate,
+    saved: Instant,
+    saved_cycle: Option<u64>,
+}
+
+impl Desk {
+    fn work(mut self) -> Box<Session> {
+        loop {
+            if !self.take_orders() {
+                self.save();
+                return self.session;
+            }
+            let run = std::panic::AssertUnwindSafe(|| {
+                if self.running {
+                    self.run_batch();
+                }
+                self.post();
+            });
+            if let Err(panic) = std::panic::catch_unwind(run) {
+                self.fall(panic.as_ref());
+                return self.session;
+            }
+        }
+    }
+
+    /// Carries out what has been ordered; waits when there is nothing else to do. False: stop.
+    fn take_orders(&mut self) -> bool {
+        loop {
+            let order = if self.running {
+                match self.inbox.try_recv() {
+                    Ok(order) => order,
+                    Err(std::sync::mpsc::TryRecvError::Empty) => return true,
+                    Err(std::sync::mpsc::TryRecvError::Disconnected) => return false,
+                }
+            } else {
+                // A frame that found the mailbox full goes out as soon as it is empty.
+                let patience = Duration::from_millis(if self.changed { 20 } else { 1000 });
+                match self.inbox.recv_timeout(patience) {
+                    Ok(order) => order,
+                    Err(RecvTimeoutError::Timeout) => return true,
+                    Err(RecvTimeoutError::Disconnected) => return false,
+                }
+            };
+            if !self.carry_out(order) {
+                return false;
+            }
+            self.changed = true;
+        }
+    }
+
+    fn carry_out(&mut self, order: Order) -> bool {
+        match order {
+            Order::Line(line) => self.execute(line),
+            Order::Go => self.go(),
+            Order::Pause => self.running = false,
+            Order::Toggle if self.running => self.running = false,
+            Order::Toggle => self.go(),
+            Order::Row => {
+                let every = self.session.recording().every;
+                let rest = every - self.session.world().cycle_number() % every;
+                self.execute(format!("cycle {rest}"));
+            }
+            Order::Wants(wants) => self.wants = wants,
+            Order::Pace(pace) => {
+                self.pace = pace;
+                self.tell(Report::Pace(pace));
+            }
+            Order::Replace(session, pace, keep) => {
+                self.save();
+                self.keep = keep;
+                self.running = false;
+                self.session = session;
+                self.shown = Shown::default();
+                self.rate = Rate::default();
+                self.pace = pace;
+                self.free = false;
+                self.saved_cycle = None;
+                self.begin_journal();
+            }
+            Order::Refresh => {}
+            Order::Stop => return false,
+        }
+        true
+    }
+
+    fn go(&mut self) {
+        self.running = true;
+        self.free = self.session.is_finished();
+    }
+
+    fn execute(&mut self, line: String) {
+        let reply = self.session.type_line(&line);
+        match reply.as_ref().ok().and_then(|reply| reply.request) {
+            Some(Request::Run) => self.go(),
+            Some(Request::Pause) => self.running = false,
+            Some(Request::Quit { anyway }) => self.tell(Report::Quit(anyway)),
+            None => {}
+        }
+        self.tell(Report::Said { line, reply });
+        self.tell_notices();
+    }
+
+    fn run_batch(&mut self) {
+        let before = self.session.world().cycle_number();
+        // A slow pace runs a few cycles and waits; a fast one is cut into batches.
+        let paced = self.pace.map(|pace| (pace * 0.02).max(1.0).round() as u64);
+        let until_cycle = match paced {
+            Some(cycles) => Some(before + cycles),
+            None => self.free.then_some(u64::MAX),
+        };
+        let start = Instant::now();
+        let budget = Budget {
+            until_cycle,
+            time: Some(BATCH),
+        };
+        match self.session.advance(budget, self.free) {
+            Ok(Progress::Budget) => {}
+            Ok(Progress::ErrandDone) => self.running = false,
+            Ok(Progress::Finished) => {
+                self.running = false;
+                self.tell(Report::Notice(
+                    "all stages are done; space or go runs on".into(),
+                ));
+            }
+            Err(error) => self.fail(&error),
+        }
+        self.tell_notices();
+        self.changed = true;
+        if let Some(pace) = self.pace {
+            let done = self.session.world().cycle_number() - before;
+            let due = Duration::from_secs_f64(done as f64 / pace);
+            std::thread::sleep(
+                due.saturating_sub(start.elapsed())
+                    .min(Duration::from_millis(40)),
+            );
+        }
+        if self.saved.elapsed() >= SAVE {
+            self.save();
+        }
+    }
+
+    fn fail(&mut self, error: &RunError) {
+        self.running = false;
+        let mut message = error.to_string();
+        if let Some(keep) = self.keep.clone()
+            && matches!(error, RunError::Fault(_))
+            && matches!(self.session.save_safe(&keep.checkpoint), Ok(true))
+        {
+            let path = keep.checkpoint.display();
+            message.push_str(&format!(
+                "; restore {path} goes back to the start of the stage"
+            ));
+            // The broken state must not take the good one's place.
+            self.saved_cycle = Some(self.session.world().cycle_number());
+        }
+        self.tell(Report::Failed(message));
+    }
+
+    /// A fault of the program itself: keeps what can be kept.
+    fn fall(&mut self, panic: &(dyn std::any::Any + Send)) {
+        let text = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
+        let text = text
+            .or_else(|| panic.downcast_ref::<String>().cloned())
+            .unwrap_or_default();
+        if let Some(keep) = &self.keep {
+            // The journal is complete in any case; the state at the start of the stage is whole.
+            drop(self.session.flush());
+            drop(self.session.save_safe(&keep.checkpoint));
+        }
+        self.tell(Report::Failed(text));
+    }
+
+    fn tell(&mut self, report: Report) {
+        // A screen that has gone needs no report.
+        drop(self.outbox.send(report));
+        self.knock();
+    }
+
+    fn tell_notices(&mut self) {
+        for notice in self.session.take_notices() {
+            self.tell(Report::Notice(notice));
+        }
+    }
+
+    fn knock(&mut self) {
+        // A full pipe wakes as well as one more byte would.
+        drop(self.wake.write(&[1]));
+    }
+
+    /// Leaves the newest frame if the last one was taken.
+    fn post(&mut self) {
+        if !self.changed {
+            return;
+        }
+        let empty = self
+            .mailbox
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .is_none();
+        if !empty {
+            return;
+        }
+        let rate = self
+            .rate
+            .update(self.session.world().cycle_number(), self.running);
+        let frame = self
+            .session
+            .frame(self.wants, rate, self.running, &mut self.shown);
+        *self.mailbox.lock().unwrap_or_else(PoisonError::into_inner) = Some(Box::new(frame));
+        self.changed = false;
+        self.knock();
+    }
+
+    fn begin_journal(&mut self) {
+        if let Some(keep) = &self.keep
+            && let Err(error) = self.session.write_journal(&keep.journal)
+        {
+            self.tell(Report::Notice(error.to_string()));
+        }
+    }
+
+    /// Saves the state beside the journal, if cycles have passed since.
+    fn save(&mut self) {
+        self.saved = Instant::now();
+        let cycle = self.session.world().cycle_number();
+        let Some(keep) = self.keep.clone() else {
+            return;
+        };
+        if self.saved_cycle == Some(cycle) || cycle == 0 {
+            return;
+        }
+        match self
+            .session
+            .save(&keep.checkpoint)
+            .and_then(|()| self.session.flush())
+        {
+            Ok(()) => self.saved_cycle = Some(cycle),
+            Err(error) => self.tell(Report::Notice(error.to_string())),
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! What can be looked at: one file per pane, one line here.
+
+pub mod assembly;
+pub mod chart;
+pub mod dialogue;
+pub mod energy;
+pub mod help;
+pub mod monitor;
+pub mod numbers;
+pub mod presets;
+pub mod rose;
+pub mod status;
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::widgets::{Block, Widget};
+
+use super::app::App;
+use super::look::Role;
+
+/// Which pane.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum PaneId {
+    /// Discs, forces, walls.
+    Assembly,
+    /// Chart in a slot.
+    Chart(usize),
+    /// Rose of contact normals.
+    Rose,
+    /// The same, weighted by normal force.
+    WeightedRose,
+    /// FRACC, stability bound, warnings.
+    Monitor,
+    /// Values of the columns.
+    Numbers,
+    /// Energy ledger.
+    Energy,
+    /// What was said.
+    Dialogue,
+}
+
+/// A pane's row in the list.
+pub struct Pane {
+    /// Word for it.
+    pub name: &'static str,
+    /// What it shows, one line.
+    pub summary: &'static str,
+    /// Title of the pane as it is.
+    pub title: fn(&App, PaneId) -> String,
+    /// Draws the inside.
+    pub draw: fn(&App, PaneId, Rect, &mut Buffer),
+}
+
+/// All panes.
+pub const PANES: &[(PaneId, Pane)] = &[
+    (PaneId::Assembly, assembly::PANE),
+    (PaneId::Chart(0), chart::PANE),
+    (PaneId::Rose, rose::PANE),
+    (PaneId::WeightedRose, rose::WEIGHTED),
+    (PaneId::Monitor, monitor::PANE),
+    (PaneId::Numbers, numbers::PANE),
+    (PaneId::Energy, energy::PANE),
+    (PaneId::Dialogue, dialogue::PANE),
+];
+
+/// The row of a pane.
+pub fn row(id: PaneId) -> &'static Pane {
+    let kind = |id: PaneId| std::mem::discriminant(&id);
+    let found = PANES.iter().find(|(known, _)| kind(*known) == kind(id));
+    found
+        .map(|(_, pane)| pane)
+        .expect("every pane is in the list, a test walks through them")
+}
+
+/// Draws a pane with its frame.
+pub fn draw(app: &App, id: PaneId, number: usize, area: Rect, buffer: &mut Buffer) {
+    let pane = row(id);
+    let focused = app.focus == number;
+    let role = if focused { Role::Focus } else { Role::Frame };
+    let title = format!(" {} {} ", number + 1, (pane.title)(app, id));
+    let block = Block::bordered()
+        .border_set(app.border())
+        .border_style(app.look.style(role))
+        .title(title);
+    let inner = block.inner(area);
+    block.render(area, buffer);
+    if !inner.is_empty() {
+        (pane.draw)(app, id, inner, buffer);
+    }
+}

@@ -1,0 +1,17 @@
+//! Pane: monitor.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::{Pane, PaneId};
+use crate::tui::app::App;
+
+/// The pane.
+pub const PANE: Pane = Pane {
+    name: "monitor",
+    summary: "monitor",
+    title: |_, _| "monitor".into(),
+    draw,
+};
+
+fn draw(_: &App, _: PaneId, _: Rect, _: &mut Buffer) {}

@@ -1,0 +1,366 @@
+//! The loop of the workbench: keys in, orders out, frames drawn.
+
+use std::os::unix::net::UnixStream;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use crossterm::event::{self, Event, KeyEventKind};
+use ratatui::buffer::Buffer;
+
+use super::app::{App, Effect, Said};
+use super::events::{JobControl, wait};
+use super::link::{Line, Link};
+use super::look;
+use super::painter::Painter;
+use super::terminal::Terminal;
+use crate::record::interrupt::{Interrupt, Signal};
+use crate::scene::Scene;
+use crate::session::worker::{Keep, Order, Worker};
+use crate::session::{Options, RunError, Session};
+
+/// How the workbench is started.
+#[derive(Debug, Clone, Default)]
+pub struct Start {
+    /// Do not run at once.
+    pub paused: bool,
+    /// Frames per second; `None`: by the environment.
+    pub fps: Option<f64>,
+    /// Kilobytes per second; `None`: by the environment.
+    pub kbps: Option<f64>,
+    /// Cycles per second; `None`: as the preset says, 0: as many as possible.
+    pub pace: Option<f64>,
+    /// Threads.
+    pub threads: usize,
+    /// For tests: panic in the worker at this cycle.
+    pub panic_at: Option<u64>,
+}
+
+/// How it ended.
+#[derive(Debug)]
+pub struct Ended {
+    /// Exit status.
+    pub status: u8,
+    /// What to say after the terminal is given back.
+    pub farewell: String,
+}
+
+/// Nothing to do: look around this often.
+const IDLE: Duration = Duration::from_millis(1000);
+
+struct Workbench {
+    app: App,
+    worker: Worker,
+    terminal: Terminal,
+    painter: Painter,
+    wake: UnixStream,
+    keep: Option<Keep>,
+    threads: usize,
+    /// A key was pressed: draw now, on credit.
+    urgent: bool,
+}
+
+/// Runs a workbench on a scene.
+pub fn run(scene: Scene, start: &Start) -> Result<Ended, RunError> {
+    let interrupt = Interrupt::install().map_err(cannot("catch signals"))?;
+    let jobs = JobControl::install().map_err(cannot("catch signals"))?;
+    let mut session = Session::open(
+        scene,
+        Options {
+            threads: start.threads,
+            ..Options::default()
+        },
+    )?;
+    session.panic_at(start.panic_at);
+    let keep = folder(&session.scene().name);
+    if let Some(keep) = &keep {
+        session.write_journal(&keep.journal)?;
+    }
+    let pace = match start.pace {
+        Some(pace) => (pace > 0.0).then_some(pace),
+        None => session.scene().about.pace,
+    };
+    let (wake, knock) = UnixStream::pair().map_err(cannot("make a pipe"))?;
+    for end in [&wake, &knock] {
+        end.set_nonblocking(true).map_err(cannot("make a pipe"))?;
+    }
+    let get = |name: &str| std::env::var(name).ok();
+    let mut line = Line::from_environment(get);
+    line.fps = start.fps.unwrap_or(line.fps);
+    line.budget = start.kbps.map(|kbps| 1000.0 * kbps).or(line.budget);
+    let mut app = App::new(look::from_environment(get), Link::new(line));
+    app.pace = pace;
+    if let Some(keep) = &keep {
+        app.folder = keep
+            .journal
+            .parent()
+            .map(|p| p.display().to_string())
+            .unwrap_or_default();
+    }
+    let welcome = [
+        session.scene().about.shows.clone(),
+        session.scene().about.look.clone(),
+        "space pauses, : types a command, ? helps, q quits".to_owned(),
+    ];
+    welcome
+        .into_iter()
+        .filter(|text| !text.is_empty())
+        .for_each(|text| app.say(Said::Notice(text)));
+    let terminal = Terminal::take().map_err(cannot("take the terminal over"))?;
+    let worker = Worker::start(session, keep.clone(), !start.paused, pace, knock)
+        .map_err(cannot("start a thread"))?;
+    let mut bench = Workbench {
+        app,
+        worker,
+        terminal,
+        painter: Painter::default(),
+        wake,
+        keep,
+        threads: start.threads,
+        urgent: true,
+    };
+    let end = bench.work(&interrupt, &jobs);
+    Ok(bench.close(end))
+}
+
+fn cannot(what: &'static str) -> impl Fn(std::io::Error) -> RunError {
+    move |error| RunError::Misfit(format!("cannot {what}: {error}"))
+}
+
+/// Why the loop ended.
+enum End {
+    Quit,
+    Gone,
+    Signal(Signal),
+    WorkerDied,
+    Terminal(std::io::Error),
+}
+
+impl Workbench {
+    fn work(&mut self, interrupt: &Interrupt, jobs: &JobControl) -> End {
+        loop {
+            if let Some(signal) = interrupt.caught() {
+                return End::Signal(signal);
+            }
+            if jobs.asked_to_stop() {
+                self.suspend();
+            }
+            if jobs.was_resumed() {
+                if let Err(error) = self.terminal.enter() {
+                    return End::Terminal(error);
+                }
+                self.repaint();
+            }
+            while let Some(report) = self.worker.report() {
+                let effect = self.app.take_report(report);
+                if let Some(end) = self.effect(effect) {
+                    return end;
+                }
+                self.urgent = true;
+            }
+            if self.worker.has_died() {
+                return End::WorkerDied;
+            }
+            let pause = match self.draw_if_due() {
+                Ok(pause) => pause,
+                Err(error) => return End::Terminal(error),
+            };
+            let woken = wait(&mut self.wake, pause);
+            if woken.gone {
+                return End::Gone;
+            }
+            if woken.keys
+                && let Some(end) = self.keys()
+            {
+                return end;
+            }
+        }
+    }
+
+    /// Draws if there is something to draw and the line allows it; answers how long to wait.
+    fn draw_if_due(&mut self) -> std::io::Result<Duration> {
+        let now = Instant::now();
+        let due = self.app.link.wait(now);
+        if !self.urgent && !due.is_zero() {
+            return Ok(due);
+        }
+        if let Some(frame) = self.worker.frame() {
+            self.app.take_frame(frame);
+        }
+        let Some(area) = Terminal::size() else {
+            return Ok(IDLE);
+        };
+        if self.painter.area() != area {
+            self.app.dirty = true;
+        }
+        if self.app.dirty {
+            self.app.dirty = false;
+            self.urgent = false;
+            let mut buffer = Buffer::empty(area);
+            let cursor = self.app.draw(area, &mut buffer);
+            let text = self.painter.paint(&buffer, cursor);
+            if !text.is_empty() {
+                self.terminal.send(text)?;
+                self.app.link.sent(now, text.len(), true);
+            }
+            return Ok(self
+                .app
+                .link
+                .wait(Instant::now())
+                .max(Duration::from_millis(1)));
+        }
+        self.urgent = false;
+        let running = self.app.frame.as_ref().is_none_or(|frame| frame.running);
+        Ok(if running {
+            Duration::from_millis(50)
+        } else {
+            IDLE
+        })
+    }
+
+    fn keys(&mut self) -> Option<End> {
+        loop {
+            match event::poll(Duration::ZERO) {
+                Ok(true) => {}
+                Ok(false) => return None,
+                Err(error) => return Some(End::Terminal(error)),
+            }
+            let effect = match event::read() {
+                Ok(Event::Key(key)) if key.kind != KeyEventKind::Release => self.app.key(key),
+                Ok(Event::Paste(text)) => {
+                    self.app.paste(&text);
+                    Effect::None
+                }
+                Ok(Event::Resize(..)) => {
+                    self.app.dirty = true;
+                    Effect::None
+                }
+                Ok(_) => Effect::None,
+                Err(error) => return Some(End::Terminal(error)),
+            };
+            self.urgent = true;
+            if let Some(end) = self.effect(effect) {
+                return Some(end);
+            }
+        }
+    }
+
+    fn effect(&mut self, effect: Effect) -> Option<End> {
+        match effect {
+            Effect::None => {}
+            Effect::Order(order) => {
+                self.worker.order(order);
+            }
+            Effect::Load(name) => self.load(name),
+            Effect::Repaint => self.repaint(),
+            Effect::Suspend => self.suspend(),
+            Effect::Quit => return Some(End::Quit),
+        }
+        None
+    }
+
+    fn load(&mut self, name: &str) {
+        let opened = Scene::load(name, &[])
+            .map_err(|rejection| rejection.to_string())
+            .and_then(|scene| {
+                let pace = scene.about.pace;
+                let options = Options {
+                    threads: self.threads,
+                    ..Options::default()
+                };
+                Session::open(scene, options)
+                    .map(|session| (session, pace))
+                    .map_err(|e| e.to_string())
+            });
+        match opened {
+            Ok((session, pace)) => {
+                let look = session.scene().about.look.clone();
+                self.app.pace = pace;
+                self.keep = folder(name);
+                self.worker
+                    .order(Order::Replace(Box::new(session), pace, self.keep.clone()));
+                self.worker.order(Order::Go);
+                self.app.say(Said::Notice(format!("{name}: {look}")));
+            }
+            Err(error) => self.app.say(Said::Error(error)),
+        }
+    }
+
+    fn repaint(&mut self) {
+        self.painter.forget();
+        self.app.dirty = true;
+        self.urgent = true;
+    }
+
+    /// Gives the terminal back, stops, and takes it over again.
+    fn suspend(&mut self) {
+        super::terminal::release();
+        JobControl::stop_now();
+        if self.terminal.enter().is_ok() {
+            self.repaint();
+        }
+    }
+
+    fn close(self, end: End) -> Ended {
+        let Self {
+            worker,
+            terminal,
+            keep,
+            app,
+            ..
+        } = self;
+        let session = worker.stop();
+        drop(terminal);
+        let cycle = session
+            .as_ref()
+            .map(|session| session.world().cycle_number());
+        let saved = keep.as_ref().filter(|keep| keep.checkpoint.exists());
+        let mut farewell = match &end {
+            End::Quit => String::new(),
+            End::Gone => "the terminal is gone\n".to_owned(),
+            End::Signal(signal) => format!("{}\n", signal.name),
+            End::WorkerDied => format!(
+                "internal error: {}\n",
+                app.failure.clone().unwrap_or_default()
+            ),
+            End::Terminal(error) => format!("the terminal failed: {error}\n"),
+        };
+        if let Some(cycle) = cycle {
+            farewell.push_str(&format!("cycle {cycle}"));
+        }
+        if let Some(keep) = &keep {
+            farewell.push_str(&format!("; journal {}", keep.journal.display()));
+        }
+        if let Some(keep) = saved {
+            farewell.push_str(&format!(
+                "\ngo on with: ballast run --resume {}",
+                keep.checkpoint.display()
+            ));
+        }
+        let status = match end {
+            End::Quit => 0,
+            End::Gone => 129,
+            End::Signal(signal) => signal.exit_status(),
+            End::WorkerDied | End::Terminal(_) => 1,
+        };
+        Ended { status, farewell }
+    }
+}
+
+/// A folder of its own for each run, under the state folder of the user; `None` where there is no
+/// place for it.
+fn folder(name: &str) -> Option<Keep> {
+    let base = std::env::var_os("XDG_STATE_HOME")
+        .map(PathBuf::from)
+        .filter(|path| path.is_absolute())
+        .or_else(|| std::env::var_os("HOME").map(|home| Path::new(&home).join(".local/state")))?;
+    let now = std::time::SystemTime::now()
+        .duration_since(std::time::UNIX_EPOCH)
+        .ok()?;
+    let unique = format!("{name}-{}-{}", now.as_millis(), std::process::id());
+    let folder = base.join("ballast").join("runs").join(unique);
+    std::fs::create_dir_all(&folder).ok()?;
+    Some(Keep {
+        checkpoint: folder.join("run.ballast"),
+        journal: folder.join("run.journal"),
+    })
+}

@@ -1,0 +1,96 @@
+//! No cycle asks for memory once buffers have grown to what the scene needs.
+#![expect(
+    unsafe_code,
+    reason = "a counting allocator can only be written over the system's"
+)]
+
+mod common;
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use ballast::engine::World;
+use ballast::engine::setup::{Damping, Gravity, Setup};
+use common::*;
+
+/// The system's allocator, counting.
+struct Counting;
+
+static REQUESTS: AtomicU64 = AtomicU64::new(0);
+
+// SAFETY: every call goes to the system's allocator unchanged.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        REQUESTS.fetch_add(1, Ordering::Relaxed);
+        // SAFETY: the caller keeps the contract of `alloc`.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, at: *mut u8, layout: Layout) {
+        // SAFETY: `at` came from `alloc` above, that is from the system.
+        unsafe { System.dealloc(at, layout) }
+    }
+
+    unsafe fn realloc(&self, at: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        REQUESTS.fetch_add(1, Ordering::Relaxed);
+        // SAFETY: `at` came from `alloc` above, that is from the system.
+        unsafe { System.realloc(at, layout, size) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+/// Requests for memory in so many cycles, and times the list was made anew in them.
+fn requests(world: &mut World, cycles: u64) -> (u64, u64) {
+    let rebuilds = world.contacts().rebuilds;
+    let before = REQUESTS.load(Ordering::Relaxed);
+    run(world, cycles);
+    let after = REQUESTS.load(Ordering::Relaxed);
+    (after - before, world.contacts().rebuilds - rebuilds)
+}
+
+/// A pile with everything that is modelled per cycle.
+fn pile(rows: usize, ledger: bool) -> Setup {
+    let mut setup = collapsing_pile(rows, 0.2);
+    setup.ledger = ledger;
+    // Rebuilds often.
+    setup.tol = Some(0.02);
+    setup.damping = Damping {
+        global: 0.1,
+        ..setup.damping
+    };
+    setup.gravity = Some(Gravity::Centripetal {
+        towards: [0.0, -1e4],
+        g: 10.0,
+    });
+    setup.walls[0].velocity = [0.0, 0.1];
+    setup.walls[1].angular_velocity = 1e-3;
+    setup
+}
+
+// One test only: the counter counts the whole process.
+#[test]
+fn no_cycle_asks_for_memory() {
+    // Two threads on a busy machine wait for each other: fewer cycles.
+    for (rows, threads, cycles) in [(14, 1, 3000), (40, 2, 600)] {
+        for ledger in [false, true] {
+            let setup = pile(rows, ledger);
+            let mut world = World::build(setup, threads).expect("the scene builds");
+            // Spread out, the pile has fewer contacts than while it collapses; lists and their
+            // spare copies have to have met the largest number once.
+            run(&mut world, cycles);
+            let (asked, rebuilds) = requests(&mut world, cycles);
+            assert!(rebuilds > 5, "{rebuilds}");
+            assert_eq!(asked, 0, "{rows} rows, {threads} threads, ledger {ledger}");
+            // Negative control: the counter counts.
+            let before = REQUESTS.load(Ordering::Relaxed);
+            drop(std::hint::black_box(vec![1u8; 100]));
+            assert_eq!(REQUESTS.load(Ordering::Relaxed), before + 1);
+            if threads > 1 {
+                let parts = ballast::engine::threads::Threads::new(threads);
+                assert!(parts.parts(world.particles().len()) > 1);
+            }
+        }
+    }
+}

@@ -1,0 +1,235 @@
+//! The workbench in a real terminal: started, typed to, resized, stopped, hung up.
+
+#[path = "terminal/pty.rs"]
+mod pty;
+
+use std::process::Command;
+use std::time::{Duration, Instant};
+
+use pty::Pty;
+use rustix::process::Signal;
+
+const LEAVES: &str = "\u{1b}[?1049l";
+
+fn ballast(arguments: &[&str]) -> std::process::Output {
+    Command::new(env!("CARGO_BIN_EXE_ballast"))
+        .args(arguments)
+        .output()
+        .unwrap()
+}
+
+#[test]
+fn a_newcomer_watches_pauses_changes_exports_and_finds_the_history_again() {
+    let mut pty = Pty::start(
+        120,
+        40,
+        &[
+            "disc-pile",
+            "--set",
+            "history.columns=[\"state_hash\", \"coordination\", \"unbalanced\"]",
+            "--set",
+            "history.every=500",
+        ],
+    );
+    pty.shows("RUN");
+    pty.until("cycles", |screen| screen.contains("cycle 1 "));
+    pty.keys(" ");
+    pty.shows("PAUSED");
+    pty.keys(":fric");
+    pty.keys("\t");
+    pty.shows("friction X");
+    pty.keys("0.5\r");
+    pty.shows("friction 0.5 everywhere");
+    pty.keys("nonsense\r");
+    pty.shows("`nonsense` is no command");
+    pty.keys("\u{1b}");
+    std::thread::sleep(Duration::from_millis(100));
+    pty.keys("|");
+    pty.keys(" ");
+    pty.shows("DONE");
+    pty.keys(":export csv pile.csv\r");
+    pty.shows("rows in pile.csv");
+    pty.keys("\u{1b}");
+    std::thread::sleep(Duration::from_millis(100));
+    pty.keys(":q!\r");
+    let (status, _) = pty.end();
+    assert_eq!(status, 0);
+    assert!(pty.sent(LEAVES), "the terminal is given back");
+    assert!(pty.screen().contains("journal"), "{}", pty.screen());
+
+    let csv = pty.home.path().join("pile.csv");
+    let exported = std::fs::read_to_string(csv).unwrap();
+    assert!(exported.lines().count() > 40, "{exported}");
+    let journal = pty.kept("journal");
+    assert!(
+        std::fs::read_to_string(&journal)
+            .unwrap()
+            .contains("friction 0.5")
+    );
+    let again = ballast(&["run", journal.to_str().unwrap(), "--csv", "-", "-q"]);
+    assert!(
+        again.status.success(),
+        "{}",
+        String::from_utf8_lossy(&again.stderr)
+    );
+    let again = String::from_utf8_lossy(&again.stdout).into_owned();
+    // The replay ends with the row of the run's end, which an export before it lacks.
+    assert!(
+        again.starts_with(&exported),
+        "the journal repeats the history bit for bit"
+    );
+}
+
+#[test]
+fn every_size_is_survived() {
+    let mut pty = Pty::start(120, 40, &["disc-pile"]);
+    pty.shows("RUN");
+    for (columns, rows) in [
+        (80, 24),
+        (40, 12),
+        (20, 5),
+        (7, 2),
+        (1, 1),
+        (200, 60),
+        (3, 60),
+        (200, 2),
+        (100, 30),
+    ] {
+        pty.resize(columns, rows);
+        std::thread::sleep(Duration::from_millis(150));
+        pty.keys("z");
+        std::thread::sleep(Duration::from_millis(50));
+        pty.keys("\u{1b}");
+        std::thread::sleep(Duration::from_millis(50));
+    }
+    pty.shows("cycle");
+    pty.keys(":q!\r");
+    assert_eq!(pty.end().0, 0);
+}
+
+#[test]
+fn signals_give_the_terminal_back_and_keep_the_run() {
+    for (signal, status) in [(Signal::TERM, 143), (Signal::HUP, 129)] {
+        let mut pty = Pty::start(100, 30, &["disc-pile"]);
+        pty.until("some cycles", |screen| {
+            screen.contains("cycle 2 ") || screen.contains("cycle 1 ")
+        });
+        pty.signal(signal);
+        let (code, took) = pty.end();
+        assert_eq!(code, status);
+        assert!(took < Duration::from_secs(5), "{took:?}");
+        assert!(pty.sent(LEAVES));
+        let checkpoint = pty.kept("ballast");
+        let resumed = ballast(&[
+            "run",
+            "--resume",
+            checkpoint.to_str().unwrap(),
+            "--cycles",
+            "3000",
+            "-q",
+        ]);
+        assert!(
+            resumed.status.success(),
+            "{}",
+            String::from_utf8_lossy(&resumed.stderr)
+        );
+    }
+}
+
+#[test]
+fn a_terminal_that_goes_away_ends_it_without_spinning() {
+    let mut pty = Pty::start(100, 30, &["disc-pile"]);
+    pty.until("some cycles", |screen| screen.contains("cycle 1 "));
+    pty.hang_up();
+    let (_, took) = pty.end();
+    assert!(took < Duration::from_secs(5), "{took:?}");
+    let checkpoint = pty.kept("ballast");
+    assert!(checkpoint.exists());
+    let resumed = ballast(&[
+        "run",
+        "--resume",
+        checkpoint.to_str().unwrap(),
+        "--cycles",
+        "100",
+        "-q",
+    ]);
+    assert!(
+        resumed.status.success(),
+        "{}",
+        String::from_utf8_lossy(&resumed.stderr)
+    );
+}
+
+#[test]
+fn it_can_be_suspended_and_continued() {
+    let mut pty = Pty::start(100, 30, &["disc-pile"]);
+    pty.shows("RUN");
+    pty.signal(Signal::TSTP);
+    let start = Instant::now();
+    while pty.process_state() != 'T' {
+        assert!(
+            start.elapsed() < Duration::from_secs(10),
+            "it never stopped: {}",
+            pty.process_state()
+        );
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    assert!(pty.sent(LEAVES), "the shell gets its screen back");
+    let before = pty.bytes();
+    pty.signal(Signal::CONT);
+    let start = Instant::now();
+    while pty.bytes() < before + 500 {
+        assert!(
+            start.elapsed() < Duration::from_secs(10),
+            "nothing was painted again"
+        );
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    pty.shows("cycle");
+    pty.keys(":q!\r");
+    assert_eq!(pty.end().0, 0);
+}
+
+#[test]
+fn a_panic_in_the_engine_leaves_a_clean_terminal_and_a_journal() {
+    let mut pty = Pty::start(100, 30, &["disc-pile", "--panic-at", "1500", "--pace", "0"]);
+    let (status, _) = pty.end();
+    assert_eq!(status, 1);
+    assert!(pty.sent(LEAVES));
+    assert!(
+        pty.screen().contains("asked to panic here"),
+        "{}",
+        pty.screen()
+    );
+    let journal = std::fs::read_to_string(pty.kept("journal")).unwrap();
+    assert!(journal.contains("stage stand"), "{journal}");
+}
+
+#[test]
+fn idle_means_idle() {
+    let mut pty = Pty::start(120, 40, &["disc-pile", "--paused"]);
+    pty.shows("PAUSED");
+    std::thread::sleep(Duration::from_millis(500));
+    let (bytes, time) = (pty.bytes(), pty.processor_time());
+    std::thread::sleep(Duration::from_secs(2));
+    assert!(
+        pty.bytes() - bytes < 200,
+        "{} bytes in two seconds of nothing",
+        pty.bytes() - bytes
+    );
+    // Clock ticks are 10 ms; a spinning thread would use 2 s.
+    assert!(pty.processor_time() - time < 0.3);
+    pty.keys("q");
+    assert_eq!(pty.end().0, 0);
+}
+
+#[test]
+fn without_a_terminal_it_says_what_to_do() {
+    let output = ballast(&["disc-pile"]);
+    assert_eq!(output.status.code(), Some(2));
+    let text = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(
+        text.contains("ballast run disc-pile") && text.contains("--plain"),
+        "{text}"
+    );
+}

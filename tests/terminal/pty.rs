@@ -1,0 +1,216 @@
+//! The real program in a pseudo-terminal, and the screen it draws there.
+
+use std::io::{Read, Write};
+use std::sync::{Arc, Mutex};
+use std::time::{Duration, Instant};
+
+use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, native_pty_system};
+
+/// Longest wait for anything: generous, the machine may be busy.
+const PATIENCE: Duration = Duration::from_secs(20);
+
+/// A program in a terminal.
+pub struct Pty {
+    master: Option<Box<dyn MasterPty + Send>>,
+    writer: Option<Box<dyn Write + Send>>,
+    pub child: Box<dyn Child + Send + Sync>,
+    state: Arc<Mutex<State>>,
+    /// Where its runs are kept.
+    pub home: tempfile::TempDir,
+}
+
+struct State {
+    parser: vt100::Parser,
+    bytes: Vec<u8>,
+}
+
+fn size(columns: u16, rows: u16) -> PtySize {
+    PtySize {
+        rows,
+        cols: columns,
+        pixel_width: 0,
+        pixel_height: 0,
+    }
+}
+
+impl Pty {
+    /// Starts `ballast` with these arguments in a terminal of this size.
+    pub fn start(columns: u16, rows: u16, arguments: &[&str]) -> Self {
+        let pair = native_pty_system().openpty(size(columns, rows)).unwrap();
+        let home = tempfile::tempdir().unwrap();
+        let mut command = CommandBuilder::new(env!("CARGO_BIN_EXE_ballast"));
+        command.args(arguments);
+        command.env_clear();
+        for (name, value) in [
+            ("TERM", "xterm-256color"),
+            ("LANG", "C.UTF-8"),
+            ("PATH", "/usr/bin:/bin"),
+        ] {
+            command.env(name, value);
+        }
+        command.env("XDG_STATE_HOME", home.path());
+        command.cwd(home.path());
+        let child = pair.slave.spawn_command(command).unwrap();
+        drop(pair.slave);
+        let (width, height) = (columns.try_into().unwrap(), rows.try_into().unwrap());
+        let parser = vt100::Parser::new(height, width, 0);
+        let state = Arc::new(Mutex::new(State {
+            parser,
+            bytes: Vec::new(),
+        }));
+        let mut reader = pair.master.try_clone_reader().unwrap();
+        let shared = Arc::clone(&state);
+        std::thread::spawn(move || {
+            let mut piece = [0; 65536];
+            while let Ok(n) = reader.read(&mut piece) {
+                if n == 0 {
+                    break;
+                }
+                let mut state = shared.lock().unwrap();
+                state.parser.process(&piece[..n]);
+                state.bytes.extend_from_slice(&piece[..n]);
+            }
+        });
+        let writer = Some(pair.master.take_writer().unwrap());
+        Self {
+            master: Some(pair.master),
+            writer,
+            child,
+            state,
+            home,
+        }
+    }
+
+    /// What the screen shows.
+    pub fn screen(&self) -> String {
+        self.state.lock().unwrap().parser.screen().contents()
+    }
+
+    /// Bytes that came so far.
+    pub fn bytes(&self) -> usize {
+        self.state.lock().unwrap().bytes.len()
+    }
+
+    /// Whether these bytes came.
+    pub fn sent(&self, text: &str) -> bool {
+        let state = self.state.lock().unwrap();
+        state
+            .bytes
+            .windows(text.len())
+            .any(|window| window == text.as_bytes())
+    }
+
+    /// Types.
+    pub fn keys(&mut self, text: &str) {
+        let writer = self.writer.as_mut().unwrap();
+        writer.write_all(text.as_bytes()).unwrap();
+        writer.flush().unwrap();
+    }
+
+    /// Waits until the screen shows what is wanted.
+    pub fn until(&self, what: &str, wanted: impl Fn(&str) -> bool) -> String {
+        let start = Instant::now();
+        loop {
+            let screen = self.screen();
+            if wanted(&screen) {
+                return screen;
+            }
+            assert!(
+                start.elapsed() < PATIENCE,
+                "waiting for {what}, the screen shows\n{screen}"
+            );
+            std::thread::sleep(Duration::from_millis(5));
+        }
+    }
+
+    /// Waits until a text is on the screen.
+    pub fn shows(&self, text: &str) -> String {
+        self.until(text, |screen| screen.contains(text))
+    }
+
+    /// Changes the size of the terminal.
+    pub fn resize(&mut self, columns: u16, rows: u16) {
+        let (width, height) = (columns.try_into().unwrap(), rows.try_into().unwrap());
+        self.state
+            .lock()
+            .unwrap()
+            .parser
+            .screen_mut()
+            .set_size(height, width);
+        self.master
+            .as_ref()
+            .unwrap()
+            .resize(size(columns, rows))
+            .unwrap();
+    }
+
+    /// Closes the terminal under the program.
+    pub fn hang_up(&mut self) {
+        self.writer = None;
+        self.master = None;
+    }
+
+    /// Sends a signal.
+    pub fn signal(&self, signal: rustix::process::Signal) {
+        rustix::process::kill_process(self.pid(), signal).unwrap();
+    }
+
+    fn pid(&self) -> rustix::process::Pid {
+        let pid = self.child.process_id().unwrap();
+        rustix::process::Pid::from_raw(pid as i32).unwrap()
+    }
+
+    /// State letter of the process, as `ps` shows it.
+    pub fn process_state(&self) -> char {
+        let text = std::fs::read_to_string(format!("/proc/{}/stat", self.pid().as_raw_nonzero()));
+        let text = text.unwrap_or_default();
+        text.rsplit(") ")
+            .next()
+            .and_then(|rest| rest.chars().next())
+            .unwrap_or('?')
+    }
+
+    /// Processor time used so far [s].
+    pub fn processor_time(&self) -> f64 {
+        let text = std::fs::read_to_string(format!("/proc/{}/stat", self.pid().as_raw_nonzero()));
+        let text = text.unwrap_or_default();
+        let fields: Vec<&str> = text.rsplit(") ").next().unwrap_or("").split(' ').collect();
+        let ticks = |k: usize| {
+            fields
+                .get(k)
+                .and_then(|f| f.parse::<f64>().ok())
+                .unwrap_or(0.0)
+        };
+        (ticks(11) + ticks(12)) / 100.0
+    }
+
+    /// Waits for the end; the exit status and how long it took.
+    pub fn end(&mut self) -> (u32, Duration) {
+        let start = Instant::now();
+        loop {
+            if let Some(status) = self.child.try_wait().unwrap() {
+                // The last bytes may still be on their way.
+                std::thread::sleep(Duration::from_millis(100));
+                return (status.exit_code(), start.elapsed());
+            }
+            if start.elapsed() > PATIENCE {
+                let screen = self.screen();
+                drop(self.child.kill());
+                panic!("it does not end; the screen shows\n{screen}");
+            }
+            std::thread::sleep(Duration::from_millis(5));
+        }
+    }
+
+    /// Path of the file with this ending that the run keeps.
+    pub fn kept(&self, ending: &str) -> std::path::PathBuf {
+        let runs = self.home.path().join("ballast/runs");
+        let run = std::fs::read_dir(runs)
+            .unwrap()
+            .next()
+            .unwrap()
+            .unwrap()
+            .path();
+        run.join(format!("run.{ending}"))
+    }
+}
