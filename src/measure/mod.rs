@@ -5,6 +5,7 @@ pub mod columns;
 pub mod fabric;
 pub mod link;
 pub mod region;
+pub mod regional;
 pub mod rose;
 pub mod sample;
 pub mod stress;

@@ -129,23 +129,25 @@ fn cut(outline: &Outline, line: Line, same: f64) -> Outline {
 /// loses digits.
 fn closed(outline: &Outline, walls: &[Wall], same: f64) -> Option<Vec<[f64; 2]>> {
     let count = outline.len();
-    let lines: Vec<Line> = outline.iter().map(|(_, edge)| *edge).collect::<Option<_>>()?;
+    let lines: Vec<Line> = outline
+        .iter()
+        .map(|(_, edge)| *edge)
+        .collect::<Option<_>>()?;
     let corner = |k: usize| crossing(lines[(k + count - 1) % count], lines[k]);
     let corners: Vec<[f64; 2]> = (0..count).map(corner).collect();
     let covered = (0..count).all(|k| {
         let (line, a, b) = (lines[k], corners[k], corners[(k + 1) % count]);
-        let along = |x: [f64; 2]| {
-            (x[0] - a[0]) * line.direction[0] + (x[1] - a[1]) * line.direction[1]
-        };
+        let along =
+            |x: [f64; 2]| (x[0] - a[0]) * line.direction[0] + (x[1] - a[1]) * line.direction[1];
         let length = along(b);
         let covers = |wall: &Wall| {
-            let turn = wall.direction[0] * line.direction[1] - wall.direction[1] * line.direction[0];
+            let turn =
+                wall.direction[0] * line.direction[1] - wall.direction[1] * line.direction[0];
             if turn.abs() * length > same || above(line, wall.point).abs() > same {
                 return 0.0;
             }
-            let same_way = wall.direction[0] * line.direction[0]
-                + wall.direction[1] * line.direction[1]
-                > 0.0;
+            let same_way =
+                wall.direction[0] * line.direction[0] + wall.direction[1] * line.direction[1] > 0.0;
             let start = along(wall.point);
             let (from, to) = if same_way {
                 (start + wall.h1, start + wall.h2)

@@ -72,10 +72,7 @@ fn envelope(discs: &[Disc], first: usize, end: usize) -> Vec<Piece> {
         }];
     }
     let middle = first.midpoint(end);
-    let (left, right) = (
-        envelope(discs, first, middle),
-        envelope(discs, middle, end),
-    );
+    let (left, right) = (envelope(discs, first, middle), envelope(discs, middle, end));
     let mut merged: Vec<Piece> = Vec::with_capacity(left.len() + right.len());
     let (mut i, mut j, mut from) = (0, 0, 0.0);
     let next = |pieces: &[Piece], k: usize| pieces.get(k + 1).map_or(TAU, |piece| piece.from);
@@ -149,12 +146,22 @@ mod tests {
         close(&[([3.0, 4.0], 2.0), ([3.5, 4.0], 1.0)], 4.0 * PI);
         // A stadium, a rounded square with a disc in its middle and one on its side.
         close(&[([0.0, 0.0], 1.0), ([3.0, 4.0], 1.0)], PI + 10.0);
-        let square = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [1.0, 1.0], [1.0, 0.0]];
+        let square = [
+            [0.0, 0.0],
+            [2.0, 0.0],
+            [2.0, 2.0],
+            [0.0, 2.0],
+            [1.0, 1.0],
+            [1.0, 0.0],
+        ];
         close(&square.map(|at| (at, 0.5)), 4.0 + 4.0 + PI / 4.0);
         // Radii 2 and 1, 2 apart: half angle 60 degrees, two tangents of length √3 with trapezia of
         // area 3√3/2, arcs of 240 and 120 degrees.
         let arcs = 4.0 * PI * 2.0 / 3.0 + PI / 3.0;
-        close(&[([0.0, 0.0], 2.0), ([0.0, 2.0], 1.0)], arcs + 3.0 * 3f64.sqrt());
+        close(
+            &[([0.0, 0.0], 2.0), ([0.0, 2.0], 1.0)],
+            arcs + 3.0 * 3f64.sqrt(),
+        );
     }
 
     proptest! {
