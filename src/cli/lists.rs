@@ -68,13 +68,15 @@ pub(super) fn columns() -> u8 {
         ("wall:NAME:", WALL_COLUMNS),
         ("contact:I-J:", CONTACT_COLUMNS),
         ("particle:I:", PARTICLE_COLUMNS),
+        ("region:NAME:", COLUMNS),
     ] {
+        let of_region = prefix.starts_with("region");
         for Card {
             name,
             unit,
             summary,
             ..
-        } in list
+        } in list.iter().filter(|card| card.regional || !of_region)
         {
             let name = format!("{prefix}{name}");
             let _ = writeln!(text, "{name:26} {:8} {summary}", format!("[{unit}]"));

@@ -72,7 +72,11 @@ fn all(wanted: Wanted, known: &Known) -> Vec<String> {
                     .iter()
                     .map(move |card| format!("wall:{wall}:{}", card.name))
             });
-            global.chain(walls).collect()
+            let regions = known.names.regions.iter().flat_map(|region| {
+                let regional = COLUMNS.iter().filter(|card| card.regional);
+                regional.map(move |card| format!("region:{region}:{}", card.name))
+            });
+            global.chain(walls).chain(regions).collect()
         }
         Wanted::Variable => ["cycle", "time", "stage_cycle"].map(String::from).into(),
     }
@@ -88,6 +92,7 @@ mod tests {
             names: Names {
                 walls: vec!["left".into(), "floor".into()],
                 particles: vec![1],
+                regions: vec!["core".into()],
             },
             materials: vec!["glass".into(), "soft clay".into()],
         };

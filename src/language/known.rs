@@ -132,6 +132,7 @@ mod tests {
             names: Names {
                 walls: vec!["left".into(), "floor".into()],
                 particles: vec![1, 2, 3],
+                regions: vec![],
             },
             materials: vec!["glass".into(), "steel".into()],
         }

@@ -10,7 +10,7 @@ const ALWAYS_PRESENT: [&str; 3] = ["cycle", "time", "stage"];
 /// Longest name that is looked up.
 const LONGEST: usize = 200;
 
-/// Whether this can name a wall: a letter, then letters, digits and underscores. Anything else
+/// Whether this can name a wall or a region: a letter, then letters, digits and underscores. Anything else
 /// would not survive in `wall:NAME:f1` inside an expression.
 pub fn is_name(text: &str) -> bool {
     let mut letters = text.chars();
@@ -18,7 +18,7 @@ pub fn is_name(text: &str) -> bool {
         && letters.all(|c| c.is_alphanumeric() || c == '_')
 }
 
-/// Looks a column up. Only wall names tell upper from lower case.
+/// Looks a column up. Only names of walls and regions tell upper from lower case.
 pub fn column(text: &str, span: Range<usize>) -> Result<Column, Mistake> {
     if text.len() > LONGEST {
         let message = format!("{} is no column", shown(text));
@@ -50,6 +50,11 @@ pub fn column(text: &str, span: Range<usize>) -> Result<Column, Mistake> {
     {
         return Err(no_wall_name(wall, span));
     }
+    if let Column::Region(region, _) = &column
+        && !is_name(region)
+    {
+        return Err(no_name("region", region, span));
+    }
     Ok(column)
 }
 
@@ -72,14 +77,19 @@ fn form(family: &str) -> Option<&'static str> {
         "wall" => Some("wall:NAME:f1"),
         "contact" => Some("contact:I-J:n or contact:I-WALL:n"),
         "particle" => Some("particle:I:x"),
+        "region" => Some("region:NAME:porosity"),
         _ => None,
     }
 }
 
 /// A word that cannot name a wall.
 pub(crate) fn no_wall_name(wall: &str, span: Range<usize>) -> Mistake {
+    no_name("wall", wall, span)
+}
+
+fn no_name(what: &str, name: &str, span: Range<usize>) -> Mistake {
     Mistake::new(
-        format!("{} cannot name a wall", shown(wall)),
+        format!("{} cannot name a {what}", shown(name)),
         "a name is a letter followed by letters, digits and `_`",
         span,
     )
@@ -97,6 +107,7 @@ mod tests {
             ("CONTACT:1-2:N", "contact:1-2:n"),
             ("Contact:1-Floor:t", "contact:1-Floor:t"),
             ("PARTICLE:3:VX", "particle:3:vx"),
+            ("REGION:Core:SIN_PHI", "region:Core:sin_phi"),
         ] {
             assert_eq!(column(written, 0..1).unwrap().name(), canonical);
         }
@@ -113,6 +124,14 @@ mod tests {
             (
                 "wall:9:f1",
                 "`9` cannot name a wall; a name is a letter followed by letters, digits and `_`",
+            ),
+            (
+                "region:porosity",
+                "`region:porosity` is no column; write it as region:NAME:porosity",
+            ),
+            (
+                "region:1:porosity",
+                "`1` cannot name a region; a name is a letter followed by letters, digits and `_`",
             ),
             (
                 "Time",

@@ -29,6 +29,8 @@ pub struct Card {
     pub ledger: bool,
     /// Whether it is among the columns of a history that names none.
     pub usual: bool,
+    /// Whether it is measured over a region: the default one, or `region:NAME:` before its name.
+    pub regional: bool,
 }
 
 const fn real(name: &'static str, unit: &'static str, summary: &'static str) -> Card {
@@ -39,6 +41,7 @@ const fn real(name: &'static str, unit: &'static str, summary: &'static str) -> 
         kind: Kind::Real,
         ledger: false,
         usual: true,
+        regional: false,
     }
 }
 
@@ -50,6 +53,7 @@ const fn count(name: &'static str, summary: &'static str) -> Card {
         kind: Kind::Count,
         ledger: false,
         usual: true,
+        regional: false,
     }
 }
 
@@ -61,6 +65,14 @@ const fn energy(name: &'static str, summary: &'static str) -> Card {
         kind: Kind::Real,
         ledger: true,
         usual: true,
+        regional: false,
+    }
+}
+
+const fn regional(name: &'static str, unit: &'static str, summary: &'static str) -> Card {
+    Card {
+        regional: true,
+        ..real(name, unit, summary)
     }
 }
 
@@ -88,6 +100,42 @@ pub const COLUMNS: &[Card] = &[
         "sliding_fraction",
         "-",
         "sliding contacts / contacts with friction",
+    ),
+    regional("porosity", "-", "1 - area of discs / area of the region"),
+    regional("stress_11", "Pa", "stress, compression positive"),
+    regional(
+        "stress_12",
+        "Pa",
+        "stress: branches along 1, forces along 2",
+    ),
+    regional(
+        "stress_21",
+        "Pa",
+        "stress: branches along 2, forces along 1",
+    ),
+    regional("stress_22", "Pa", "stress, compression positive"),
+    regional("isotropic_stress", "Pa", "mean principal stress"),
+    regional("deviator_stress", "Pa", "major - minor principal stress"),
+    regional("sin_phi", "-", "mobilised friction (s1 - s2)/(s1 + s2)"),
+    regional(
+        "sin_phi_shear",
+        "-",
+        "share of sin_phi that tangential forces carry",
+    ),
+    regional(
+        "anisotropy",
+        "-",
+        "difference of the principal values of the fabric tensor",
+    ),
+    regional(
+        "anisotropy_angle",
+        "deg",
+        "major axis of the fabric tensor, 0 to 180",
+    ),
+    regional(
+        "anisotropy_weighted",
+        "-",
+        "anisotropy weighted by normal force",
     ),
     real("mean_force", "N", "mean contact force"),
     real("max_force", "N", "largest contact force"),
@@ -212,6 +260,8 @@ pub enum Column {
     Contact(u32, Partner, usize),
     /// Particle number and index into [`PARTICLE_COLUMNS`].
     Particle(u32, usize),
+    /// Region name and index into [`COLUMNS`], of a regional one.
+    Region(String, usize),
 }
 
 /// A name that is no column.
@@ -231,6 +281,8 @@ pub struct Names {
     pub walls: Vec<String>,
     /// Numbers of the particles that exist, ascending.
     pub particles: Vec<u32>,
+    /// Region names in order.
+    pub regions: Vec<String>,
 }
 
 impl Column {
@@ -242,6 +294,9 @@ impl Column {
             ["wall", wall, what] => Ok(Self::Wall((*wall).to_owned(), find(WALL_COLUMNS, what)?)),
             ["particle", id, what] => {
                 Ok(Self::Particle(number(id)?, find(PARTICLE_COLUMNS, what)?))
+            }
+            ["region", region, what] => {
+                Ok(Self::Region((*region).to_owned(), find_regional(what)?))
             }
             ["contact", pair, what] => {
                 let what = find(CONTACT_COLUMNS, what)?;
@@ -277,7 +332,7 @@ impl Column {
     /// The row of the list it came from.
     pub fn card(&self) -> &'static Card {
         match self {
-            Self::Global(k) => &COLUMNS[*k],
+            Self::Global(k) | Self::Region(_, k) => &COLUMNS[*k],
             Self::Wall(_, k) => &WALL_COLUMNS[*k],
             Self::Contact(_, _, k) => &CONTACT_COLUMNS[*k],
             Self::Particle(_, k) => &PARTICLE_COLUMNS[*k],
@@ -293,21 +348,22 @@ impl Column {
             Self::Contact(i, Partner::Particle(j), _) => format!("contact:{i}-{j}:{card}"),
             Self::Contact(i, Partner::Wall(w), _) => format!("contact:{i}-{w}:{card}"),
             Self::Particle(i, _) => format!("particle:{i}:{card}"),
+            Self::Region(region, _) => format!("region:{region}:{card}"),
         }
     }
 
-    /// Whether the walls and particles it names exist.
+    /// Whether the walls, regions and particles it names exist.
     pub fn check(&self, names: &Names) -> Result<(), UnknownColumn> {
-        let wall = |w: &String| {
-            if names.walls.contains(w) {
+        let one_of = |kind: &str, known: &[String], name: &String| {
+            if known.contains(name) {
                 return Ok(());
             }
-            let known = names.walls.iter().map(String::as_str);
             Err(UnknownColumn {
-                message: format!("there is no wall `{w}`"),
-                remedy: nearest(w, known),
+                message: format!("there is no {kind} `{name}`"),
+                remedy: nearest(name, known.iter().map(String::as_str)),
             })
         };
+        let wall = |w: &String| one_of("wall", &names.walls, w);
         let particle = |id: &u32| {
             if names.particles.binary_search(id).is_ok() {
                 return Ok(());
@@ -323,6 +379,7 @@ impl Column {
         match self {
             Self::Global(_) => Ok(()),
             Self::Wall(w, _) => wall(w),
+            Self::Region(name, _) => one_of("region", &names.regions, name),
             Self::Particle(i, _) => particle(i),
             Self::Contact(i, Partner::Particle(j), _) => particle(i).and_then(|()| particle(j)),
             Self::Contact(i, Partner::Wall(w), _) => particle(i).and_then(|()| wall(w)),
@@ -344,6 +401,17 @@ fn find(list: &'static [Card], name: &str) -> Result<usize, UnknownColumn> {
     list.iter()
         .position(|card| card.name == name)
         .ok_or_else(|| unknown(name, list))
+}
+
+fn find_regional(name: &str) -> Result<usize, UnknownColumn> {
+    let regional = |card: &&Card| card.regional;
+    COLUMNS
+        .iter()
+        .position(|card| card.regional && card.name == name)
+        .ok_or_else(|| UnknownColumn {
+            message: format!("`{name}` is no column of a region"),
+            remedy: nearest(name, COLUMNS.iter().filter(regional).map(|card| card.name)),
+        })
 }
 
 fn unknown(name: &str, list: &'static [Card]) -> UnknownColumn {
@@ -385,6 +453,7 @@ mod tests {
             "contact:1-2:n",
             "contact:12-floor:t",
             "particle:3:vx",
+            "region:core:sin_phi",
         ] {
             assert_eq!(Column::parse(name).unwrap().name(), name);
         }
@@ -398,6 +467,8 @@ mod tests {
             ("contact:2-1:n", "contact:1-2"),
             ("contact:7:n", "I-J"),
             ("particle:0:x", "from 1"),
+            ("region:core:sin_phy", "`sin_phi`"),
+            ("region:core:kinetic", "no column of a region"),
         ] {
             let error = Column::parse(wrong).unwrap_err();
             assert!(error.to_string().contains(hint), "{wrong}: {error}");

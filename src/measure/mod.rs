@@ -6,6 +6,7 @@ pub mod fabric;
 pub mod frame;
 pub mod link;
 pub mod region;
+pub mod regional;
 pub mod rose;
 pub mod sample;
 pub mod stress;

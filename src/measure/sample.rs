@@ -5,6 +5,8 @@ use std::cell::OnceCell;
 
 use super::assembly::Assembly;
 use super::columns::{COLUMNS, CONTACT_COLUMNS, Column, PARTICLE_COLUMNS, Partner, WALL_COLUMNS};
+use super::region::{Region, Shape};
+use super::regional::Regional;
 use super::wall_force::WallForce;
 use crate::engine::World;
 use crate::engine::ledger::{Bookings, Energies};
@@ -16,17 +18,35 @@ pub struct Sample<'a> {
     assembly: OnceCell<Assembly>,
     energies: OnceCell<Energies>,
     bookings: OnceCell<Bookings>,
+    /// Regions with a name; the first is what columns without a region are measured over.
+    regions: &'a [Region],
+    /// Measures of each, or of everything.
+    regional: Vec<Regional<'a>>,
 }
 
 impl<'a> Sample<'a> {
-    /// Sums the forces of the boundary if that has not been done, and is ready to measure.
+    /// Sums the forces of the boundary if that has not been done, and is ready to measure. The whole
+    /// assembly is the only region.
     pub fn of(world: &'a mut World) -> Self {
+        Self::over(world, &[])
+    }
+
+    /// The same with regions, of which the first is the default.
+    pub fn over(world: &'a mut World, regions: &'a [Region]) -> Self {
         world.settle();
+        let world = &*world;
+        let shapes = regions.iter().map(|region| region.shape);
+        let all = regions.is_empty().then_some(Shape::All);
         Self {
             world,
             assembly: OnceCell::new(),
             energies: OnceCell::new(),
             bookings: OnceCell::new(),
+            regions,
+            regional: shapes
+                .chain(all)
+                .map(|shape| Regional::new(world, shape))
+                .collect(),
         }
     }
 
@@ -38,6 +58,17 @@ impl<'a> Sample<'a> {
     /// Contact statistics.
     pub fn assembly(&self) -> &Assembly {
         self.assembly.get_or_init(|| Assembly::of(self.world))
+    }
+
+    /// Measures of the default region: the first one, or the whole assembly.
+    pub fn regional(&self) -> &Regional<'a> {
+        &self.regional[0]
+    }
+
+    /// Measures of a region by name.
+    pub fn region(&self, name: &str) -> Option<&Regional<'a>> {
+        let found = self.regions.iter().position(|region| region.name == name)?;
+        self.regional.get(found)
     }
 
     /// Energies.
@@ -88,6 +119,10 @@ impl<'a> Sample<'a> {
             }
             Column::Contact(i, partner, k) => self.contact(*i, partner, CONTACT_COLUMNS[*k].name),
             Column::Particle(id, k) => self.particle(*id, PARTICLE_COLUMNS[*k].name),
+            Column::Region(name, k) => {
+                let region = self.region(name);
+                region.map_or(f64::NAN, |region| region.value(COLUMNS[*k].name))
+            }
         }
     }
 
@@ -115,7 +150,7 @@ impl<'a> Sample<'a> {
             "global_loss" => self.bookings().global_loss,
             "boundary_work" => self.bookings().boundary_work,
             "energy_error" => self.bookings().energy_error,
-            _ => f64::NAN,
+            name => self.regional().value(name),
         }
     }
 

@@ -94,11 +94,12 @@ mod tests {
         // degrees are some tens of roundings where the values differ by a tenth or more.
         #[test]
         fn values_and_angle_come_back(
-            minor in -1.0..1.0, more in 0.1..2.0, angle in 1.0..179.0, spin in -1.0..1.0,
+            minor in -1.0..1.0_f64, more in 0.1..2.0_f64, angle in 1.0..179.0, spin in -1.0..1.0,
         ) {
             let (s, c) = libm::sincos(f64::to_radians(angle));
             let axes = Matrix2::new(c, -s, s, c);
-            let tensor = axes * Matrix2::new(minor + more, spin, -spin, minor) * axes.transpose();
+            let inner: Matrix2<f64> = Matrix2::new(minor + more, spin, -spin, minor);
+            let tensor = axes * inner * axes.transpose();
             let p = Principal::of(&tensor);
             prop_assert!((p.major - minor - more).abs() < 1e-13, "{p:?}");
             prop_assert!((p.minor - minor).abs() < 1e-13, "{p:?}");

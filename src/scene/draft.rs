@@ -11,6 +11,7 @@ use super::{about::About, reader::Reader};
 use crate::engine::setup::{Body, Damping, LawChoice, NormalForm, Setup, TimeStepChoice};
 use crate::language::{Command, Known, Mistake};
 use crate::measure::columns::{Column, Names, nearest};
+use crate::measure::region::Region;
 
 /// The scene so far. A table in which something is wrong is kept with what could be read, so that
 /// names and numbers of the others stay right; a draft with problems never becomes a scene.
@@ -23,6 +24,10 @@ pub(crate) struct Draft<'a> {
     pub(crate) seed: u64,
     /// What the world will be built from.
     pub(crate) setup: Setup,
+    /// `[[measure]]`.
+    pub(crate) regions: Vec<Region>,
+    /// Where the name of each region was written.
+    pub(crate) region_places: Vec<Place>,
     /// `[history]`.
     pub(crate) history: History,
     /// Cycles between tests of conditions that read columns.
@@ -33,7 +38,7 @@ pub(crate) struct Draft<'a> {
     pub(crate) expects: Vec<Expect>,
     /// What commands may name; follows the commands of the stages.
     pub(crate) known: Known,
-    /// Every wall and particle that is there at some time: columns may name them all.
+    /// Every wall, region and particle that is there at some time: columns may name them all.
     pub(crate) ever: Names,
     /// Where the law and the time step were chosen.
     pub(crate) model: Mark,
@@ -79,6 +84,8 @@ impl<'a> Draft<'a> {
                 overlap_allowed: false,
                 ledger: false,
             },
+            regions: Vec::new(),
+            region_places: Vec::new(),
             history: History::default(),
             check_every: None,
             stages: Vec::new(),
@@ -156,15 +163,15 @@ impl<'a> Draft<'a> {
         );
     }
 
-    /// Reports a name that could not stand in `wall:NAME:f1` within an expression.
-    pub(crate) fn check_wall_name(&self, name: &str, place: Place) {
+    /// Reports a name that could not stand within an expression, in a column such as `example`.
+    pub(crate) fn check_column_name(&self, name: &str, place: Place, what: &str, example: &str) {
         if crate::language::name::is_name(name) {
             return;
         }
         self.report.add(
-            Problem::new(format!("{} cannot name a wall", quoted(name)), place)
+            Problem::new(format!("{} cannot name a {what}", quoted(name)), place)
                 .expected("expected a letter, then letters, digits and `_`")
-                .remedy("rename it: `wall:NAME:f1` stands in expressions"),
+                .remedy(format!("rename it: `{example}` stands in expressions")),
         );
     }
 

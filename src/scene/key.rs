@@ -41,6 +41,8 @@ pub(crate) enum Form {
     Words(&'static [&'static str]),
     /// One of a few words, or a number.
     WordOrNumber(&'static [&'static str], Bounds),
+    /// A table with these keys.
+    Table(&'static [Key]),
     /// A vector, or a table with these keys.
     VectorOrTable(&'static [Key]),
 }
@@ -146,8 +148,11 @@ impl fmt::Display for Form {
             Self::Word(words) => f.write_str(&any_of(words)),
             Self::Words(words) => write!(f, "list of {}", any_of(words)),
             Self::WordOrNumber(words, bounds) => write!(f, "{} or {bounds}", any_of(words)),
-            Self::VectorOrTable(keys) => {
-                f.write_str("[number, number] or { ")?;
+            Self::Table(keys) | Self::VectorOrTable(keys) => {
+                if !matches!(self, Self::Table(_)) {
+                    f.write_str("[number, number] or ")?;
+                }
+                f.write_str("{ ")?;
                 for (k, key) in keys.iter().enumerate() {
                     let comma = if k > 0 { ", " } else { "" };
                     write!(f, "{comma}{} = {}", key.name, key.form)?;

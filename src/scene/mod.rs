@@ -18,6 +18,7 @@ mod gravity;
 mod history;
 mod key;
 mod material;
+mod measure;
 mod model;
 mod overlap;
 mod overrides;
@@ -45,6 +46,7 @@ pub use stage::Stage;
 
 use crate::engine::setup::Setup;
 use crate::measure::columns::Column;
+use crate::measure::region::Region;
 use draft::Draft;
 use place::Source;
 use problem::Report;
@@ -59,6 +61,7 @@ const SECTIONS: &[Section] = &[
     pair::SECTION,
     particle::SECTION,
     wall::SECTION,
+    measure::SECTION,
     stage::SECTION,
     history::SECTION,
     expect::SECTION,
@@ -79,6 +82,8 @@ pub struct Scene {
     pub about: About,
     /// What the world is built from.
     pub setup: Setup,
+    /// Regions that measures are taken over; the first is the default.
+    pub regions: Vec<Region>,
     /// What is recorded.
     pub history: History,
     /// What is done, in order.
@@ -186,10 +191,17 @@ impl Scene {
                 ..draft.setup
             },
             check_every: draft.check_every,
+            regions: draft.regions,
             history: draft.history,
             stages,
             expects: draft.expects,
             seed: draft.seed,
         }
+    }
+
+    /// Names of the regions, in order.
+    pub fn region_names(&self) -> Vec<String> {
+        let names = self.regions.iter().map(|region| region.name.clone());
+        names.collect()
     }
 }

@@ -25,7 +25,7 @@ fn push_rows(lines: &mut Vec<String>, within: &str, key: &Key) {
     let (wanted, absent) = (cell(&key.wanted()), cell(&key.absent.to_string()));
     let summary = cell(key.summary);
     lines.push(format!("| `{name}` | {wanted} | {absent} | {summary} |"));
-    if let Form::VectorOrTable(keys) = key.form {
+    if let Form::Table(keys) | Form::VectorOrTable(keys) = key.form {
         for key in keys {
             push_rows(lines, &format!("{name}."), key);
         }

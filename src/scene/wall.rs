@@ -100,7 +100,7 @@ struct Course {
 fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
     let name = reader.text("name");
     if let Some((name, place)) = name {
-        draft.check_wall_name(name, place);
+        draft.check_column_name(name, place, "wall", "wall:NAME:f1");
         let taken = draft.setup.walls.iter().map(|wall| wall.name.as_str());
         let places = draft.walls.iter().map(|mark| mark.place);
         draft.check_unique(name, place, taken.zip(places));

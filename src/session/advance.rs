@@ -242,7 +242,7 @@ impl Session {
         if !condition.needs_sample() || !due {
             return false;
         }
-        let sample = Sample::of(&mut self.world);
+        let sample = Sample::over(&mut self.world, &self.scene.regions);
         condition.holds(&mut |term| match term {
             Term::Column(column) => sample.value(column),
             other => clock(other),
@@ -285,7 +285,7 @@ impl Session {
             return Ok(());
         }
         let stage_cycle = self.stage_cycle();
-        let sample = Sample::of(&mut self.world);
+        let sample = Sample::over(&mut self.world, &self.scene.regions);
         self.recording
             .take(&sample, self.course.stage as u32, stage_cycle);
         self.world.take_fracc();

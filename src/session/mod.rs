@@ -137,6 +137,7 @@ impl Session {
                 .map(|wall| wall.name.clone())
                 .collect(),
             particles: self.world.particles().id.clone(),
+            regions: self.scene.region_names(),
         }
     }
 

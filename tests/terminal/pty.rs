@@ -20,6 +20,8 @@ pub struct Pty {
 }
 
 struct State {
+    /// The reader's end of the terminal is to be closed too.
+    hung_up: bool,
     parser: vt100::Parser,
     bytes: Vec<u8>,
 }
@@ -55,6 +57,7 @@ impl Pty {
         let (width, height) = (columns.try_into().unwrap(), rows.try_into().unwrap());
         let parser = vt100::Parser::new(height, width, 0);
         let state = Arc::new(Mutex::new(State {
+            hung_up: false,
             parser,
             bytes: Vec::new(),
         }));
@@ -67,6 +70,9 @@ impl Pty {
                     break;
                 }
                 let mut state = shared.lock().unwrap();
+                if state.hung_up {
+                    break;
+                }
                 state.parser.process(&piece[..n]);
                 state.bytes.extend_from_slice(&piece[..n]);
             }
@@ -146,6 +152,7 @@ impl Pty {
 
     /// Closes the terminal under the program.
     pub fn hang_up(&mut self) {
+        self.state.lock().unwrap().hung_up = true;
         self.writer = None;
         self.master = None;
     }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::Region;
+use super::Shape;
 use crate::engine::World;
 use crate::measure::tensor::ratio;
 
@@ -24,8 +24,8 @@ pub struct Content {
 
 impl Content {
     /// Looks at a region.
-    pub fn of(world: &World, region: &Region) -> Self {
-        let shape = region.shape.inner(world);
+    pub fn of(world: &World, shape: Shape) -> Self {
+        let shape = shape.inner(world);
         let rows = &world.particles().row;
         let mut inside = Vec::with_capacity(rows.len());
         let (mut disc_area, mut member_area) = (0.0, 0.0);

@@ -43,16 +43,6 @@ pub struct Region {
     pub shape: Shape,
 }
 
-impl Region {
-    /// The whole assembly.
-    pub fn all() -> Self {
-        Self {
-            name: "all".into(),
-            shape: Shape::All,
-        }
-    }
-}
-
 impl Shape {
     /// The same place in the coordinates the world computes in.
     fn inner(self, world: &World) -> Self {

@@ -230,13 +230,15 @@ fn inside(
             })? = node;
             Ok(())
         }
-        (Form::VectorOrTable(keys), Some(Value::Table(inside)))
+        (Form::Table(keys) | Form::VectorOrTable(keys), Some(Value::Table(inside)))
             if keys.iter().any(|known| known.name == inner.text) =>
         {
             put(inside, inner, node);
             Ok(())
         }
-        (Form::VectorOrTable(keys), _) if keys.iter().all(|known| known.name != inner.text) => {
+        (Form::Table(keys) | Form::VectorOrTable(keys), _)
+            if keys.iter().all(|known| known.name != inner.text) =>
+        {
             let what = format!("key of `{}`", key.text);
             let names = keys.iter().map(|known| known.name);
             Err(unknown(inner, &what, nearest(&inner.text, names)))

@@ -260,18 +260,16 @@ impl<'a> Reader<'a> {
         Some(numbers)
     }
 
-    /// The table a value consists of, if it is one.
+    /// The table a value consists of, if it is one; reports another value where only one will do.
     pub(crate) fn table(&self, name: &str) -> Option<Reader<'a>> {
         let node = self.node(name)?;
         let key = self.key(name);
         match (&key.form, &node.value) {
-            (Form::VectorOrTable(keys), Value::Table(table)) => Some(Reader::open(
-                self.report,
-                format!("`{name}`"),
-                node.place,
-                keys,
-                table,
-            )),
+            (Form::Table(keys) | Form::VectorOrTable(keys), Value::Table(table)) => {
+                let title = format!("`{name}`");
+                Some(Reader::open(self.report, title, node.place, keys, table))
+            }
+            (Form::Table(_), _) => self.wrong(key, node),
             _ => None,
         }
     }

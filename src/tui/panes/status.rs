@@ -48,7 +48,8 @@ fn parts(app: &App) -> Vec<(String, Style)> {
         parts.push((format!("{} {stage}/{stages}", frame.stage), plain));
     }
     parts.push((format!("cycle {}", grouped(frame.cycle)), plain));
-    if let (done, Some(length)) = frame.stage_cycles
+    if !frame.finished
+        && let (done, Some(length)) = frame.stage_cycles
         && length > 0
     {
         let mut text = format!("{:.0} %", 100.0 * done as f64 / length as f64);
