@@ -5,11 +5,14 @@
 //! be looked at a row of [`panes::PANES`]; help derives from both.
 
 pub mod app;
+pub mod dots;
 pub mod keys;
 pub mod layout;
 pub mod link;
 pub mod look;
 pub mod panes;
 pub mod prompt;
+pub mod scale;
 pub mod series;
 pub mod view;
+pub mod write;
