@@ -12,7 +12,7 @@ use super::look::{Chains, Look, Points, Theme};
 use super::panes::{self, PaneId};
 use super::prompt::{Prompt, Typed};
 use super::series::Series;
-use super::view::View;
+use super::view::{self, View};
 use crate::language::Known;
 use crate::scene::catalogue::PRESETS;
 use crate::session::frames::Frame;
@@ -410,7 +410,7 @@ impl App {
         let bounds = self
             .frame
             .as_ref()
-            .map_or([[0.0; 2], [1.0; 2]], |frame| frame.picture.bounds);
+            .map_or([[0.0; 2], [1.0; 2]], |frame| view::fitted(&frame.picture));
         match action {
             Action::Toggle => return Effect::Order(Order::Toggle),
             Action::Cycle => return Effect::Order(Order::Line("cycle 1".into())),

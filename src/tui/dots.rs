@@ -265,7 +265,7 @@ mod tests {
         let mut buffer = Buffer::empty(area);
         dots.paint(&look, area, &mut buffer);
         let rows = buffer.content().chunks(dots.cells[0]);
-        rows.map(|row| row.iter().map(|cell| cell.symbol()).collect())
+        rows.map(|row| row.iter().map(ratatui::buffer::Cell::symbol).collect())
             .collect()
     }
 
@@ -277,10 +277,10 @@ mod tests {
             (Points::Ascii, "oo"),
         ] {
             let mut dots = Dots::new(points, 2, 1);
-            let [across, down] = dots.size();
-            for y in 0..down {
-                for x in 0..across {
-                    dots.dot(x as i64, y as i64, Ink::Disc);
+            let [across, down] = dots.size().map(|n| n as u32);
+            for y in 0..i64::from(down) {
+                for x in 0..i64::from(across) {
+                    dots.dot(x, y, Ink::Disc);
                 }
             }
             assert_eq!(text(&dots), [full]);
@@ -291,7 +291,7 @@ mod tests {
     fn a_circle_is_round_and_closed() {
         let mut dots = Dots::new(Points::Braille, 6, 3);
         dots.circle([6.0, 6.0], [5.0, 5.0], Ink::Disc);
-        assert_eq!(text(&dots), ["⢠⠊⠉⠉⠑⡄", "⡇    ⢸", "⠘⢄⣀⣀⡠⠃"]);
+        assert_eq!(text(&dots), ["⢀⠔⠒⠒⠢⡀", "⢸    ⡇", "⠈⠢⠤⠤⠔⠁"]);
     }
 
     #[test]

@@ -9,6 +9,8 @@ pub struct Scale {
     pub high: f64,
     /// Distance of ticks.
     pub step: f64,
+    /// Whether the axis counts powers of ten: ends and step are exponents then.
+    pub decades: bool,
 }
 
 impl Scale {
@@ -37,27 +39,57 @@ impl Scale {
                 low: (low / step).floor() * step,
                 high: (high / step).ceil() * step,
                 step,
+                decades: false,
             };
             if (scale.high - scale.low) / step <= most + 0.5 || most < 2.0 {
                 return scale;
             }
             step = round_up(1.5 * step);
         }
-        Self { low, high, step }
+        Self {
+            low,
+            high,
+            step,
+            decades: false,
+        }
+    }
+
+    /// An axis of powers of ten over these positive values, with about so many steps. Its ends are
+    /// whole powers.
+    pub fn decades(low: f64, high: f64, most: usize) -> Self {
+        let exponent = |x: f64| x.clamp(1e-300, 1e300).log10();
+        let low = exponent(low.min(high)).floor();
+        let high = exponent(high.max(low)).ceil().max(low + 1.0);
+        let steps = [1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 50.0, 100.0];
+        let enough = |step: &f64| (high - low) / step <= most as f64 + 1.0;
+        Self {
+            low,
+            high,
+            step: steps.into_iter().find(enough).unwrap_or(200.0),
+            decades: true,
+        }
     }
 
     /// Where a value lies between the ends, 0 to 1 inside.
     pub fn place(&self, value: f64) -> f64 {
+        let value = if self.decades { value.log10() } else { value };
         (value - self.low) / (self.high - self.low)
     }
 
-    /// The ticks with their labels.
+    /// The ticks with their labels, as values of the column.
     pub fn ticks(&self) -> Vec<(f64, String)> {
-        let count = ((self.high - self.low) / self.step).round().min(50.0) as usize;
         let size = self.low.abs().max(self.high.abs());
+        // Ticks stand at multiples of the step; a little less than a step is lost to rounding.
+        let first = (self.low / self.step - 1e-6).ceil() * self.step;
+        let count = ((self.high - first) / self.step + 1e-6)
+            .floor()
+            .clamp(0.0, 50.0) as usize;
         (0..=count)
             .map(|k| {
-                let value = self.low + k as f64 * self.step;
+                let value = first + k as f64 * self.step;
+                if self.decades {
+                    return (10f64.powf(value), format!("1e{value:.0}"));
+                }
                 (value, label(value, self.step, size))
             })
             .collect()
@@ -77,6 +109,17 @@ pub fn round_up(x: f64) -> f64 {
         .unwrap_or(10.0);
     let up = factor * decade;
     if up.is_finite() && up > 0.0 { up } else { x }
+}
+
+/// The next number below of the same kind.
+pub fn round_down(x: f64) -> f64 {
+    let up = round_up(x);
+    [1.0, 0.5, 0.4, 0.2]
+        .into_iter()
+        .map(|share| share * up)
+        // Two fifths of 5 is 2, but of 1 or 2 it is no round number.
+        .find(|down| *down <= x * (1.0 + 1e-9) && round_up(*down) <= *down * (1.0 + 1e-6))
+        .unwrap_or(x)
 }
 
 /// A tick's number with the decimals that its step needs.
@@ -137,7 +180,7 @@ mod tests {
         for (low, high, ends) in [
             (0.0, 0.43, (0.0, 0.5)),
             (0.11, 0.43, (0.1, 0.5)),
-            (-3.0, 7.0, (-5.0, 10.0)),
+            (-3.0, 7.0, (-4.0, 8.0)),
             (1.02e5, 1.09e5, (1.02e5, 1.1e5)),
             (0.0, 0.0, (0.0, 1.0)),
             (5.0, 5.0, (4.4, 5.6)),
@@ -150,6 +193,20 @@ mod tests {
     }
 
     #[test]
+    fn decades_are_whole() {
+        let labels = |low, high, most| -> Vec<String> {
+            let ticks = Scale::decades(low, high, most).ticks();
+            ticks.into_iter().map(|(_, label)| label).collect()
+        };
+        assert_eq!(labels(2e-3, 0.5, 4), ["1e-3", "1e-2", "1e-1", "1e0"]);
+        assert_eq!(labels(1e-8, 2e5, 4), ["1e-6", "1e-3", "1e0", "1e3", "1e6"]);
+        assert_eq!(labels(1.0, 1.0, 4), ["1e0", "1e1"]);
+        assert_eq!(Scale::decades(1e-3, 10.0, 4).place(0.1), 0.5);
+        // Zero has no place there.
+        assert!(!Scale::decades(1e-3, 10.0, 4).place(0.0).is_finite());
+    }
+
+    #[test]
     fn labels_have_the_decimals_of_their_step() {
         let labels = |low, high| -> Vec<String> {
             let ticks = Scale::over(low, high, 4).ticks();
@@ -157,7 +214,7 @@ mod tests {
         };
         assert_eq!(labels(0.0, 0.4), ["0", "0.1", "0.2", "0.3", "0.4"]);
         assert_eq!(labels(0.0, 4e6), ["0", "1e6", "2e6", "3e6", "4e6"]);
-        assert_eq!(labels(0.0, 3e-5), ["0", "1e-5", "2e-5", "3e-5"]);
+        assert_eq!(labels(0.0, 2.9e-5), ["0", "1e-5", "2e-5", "3e-5"]);
         assert_eq!(labels(1.0e6, 1.1e6), ["1.00e6", "1.05e6", "1.10e6"]);
     }
 
@@ -193,6 +250,9 @@ mod tests {
         fn round_numbers_are_little_more(x in 1e-290f64..1e290) {
             let up = round_up(x);
             prop_assert!(up >= x * (1.0 - 1e-6) && up <= 2.6 * x, "{}", up);
+            let down = round_down(x);
+            prop_assert!(down <= x * (1.0 + 1e-6) && 2.6 * down >= x, "{}", down);
+            prop_assert!((round_up(down) / down - 1.0).abs() < 1e-6, "{}", down);
         }
     }
 }

@@ -66,7 +66,7 @@ pub(crate) fn app(look: Look) -> App {
 
 /// The frame.
 pub(crate) fn frame() -> Frame {
-    let columns = COLUMNS.map(|name| Column::parse(name).unwrap());
+    let columns = COLUMNS.map(|name| Column::parse(name).expect("it is in the list"));
     Frame {
         serial: 1,
         title: "Seven discs settle".into(),

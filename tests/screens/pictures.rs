@@ -9,6 +9,9 @@ use crate::{drawn, text};
 
 const SIZES: [(u16, u16); 3] = [(80, 24), (120, 40), (200, 60)];
 
+/// A name, and what is different about it.
+type Variant = (&'static str, fn(&mut App));
+
 fn compare(name: &str, mut app: App, (width, height): (u16, u16)) {
     let name = format!("{name}_{width}x{height}");
     insta::assert_snapshot!(name, text(&drawn(&mut app, width, height)));
@@ -51,7 +54,7 @@ fn what_lies_over_panes() {
 #[test]
 fn assembly_in_its_variants() {
     let enlarged = |app: &mut App| app.zoomed = Some(PaneId::Assembly);
-    let variants: [(&str, fn(&mut App)); 7] = [
+    let variants: [Variant; 7] = [
         ("ascii", |app| app.look.points = Points::Ascii),
         ("half_blocks", |app| app.look.points = Points::HalfBlock),
         ("tangential", |app| app.look.chains = Chains::Tangential),
@@ -98,7 +101,7 @@ fn small_screens() {
 
 #[test]
 fn states_of_a_run() {
-    let states: [(&str, fn(&mut App)); 5] = [
+    let states: [Variant; 5] = [
         ("paused", |app| set(app, |frame| frame.running = false)),
         ("done", |app| {
             set(app, |frame| {
@@ -124,5 +127,5 @@ fn states_of_a_run() {
 }
 
 fn set(app: &mut App, change: impl FnOnce(&mut ballast::session::frames::Frame)) {
-    change(app.frame.as_mut().unwrap());
+    change(app.frame.as_mut().expect("the example has a frame"));
 }

@@ -32,7 +32,10 @@ fn enlarged(id: PaneId) -> App {
 fn states_have_their_colours() {
     let mut app = app(LOOK);
     assert_eq!(cell_of(&drawn(&mut app, 120, 40), "RUN").fg, Color::Green);
-    assert_eq!(cell_of(&drawn(&mut app, 120, 40), "W:1").fg, Color::Yellow);
+    assert_eq!(
+        cell_of(&drawn(&mut app, 120, 40), "1 warning").fg,
+        Color::Yellow
+    );
     app.failure = Some("broken".into());
     assert_eq!(cell_of(&drawn(&mut app, 120, 40), "FAILED").fg, Color::Red);
 }

@@ -8,28 +8,33 @@ use crate::measure::frame::{Disc, Picture, Touch};
 use crate::tui::app::App;
 use crate::tui::dots::{Dots, Ink};
 use crate::tui::look::{Chains, Points, Role};
-use crate::tui::scale::{round_up, short};
+use crate::tui::scale::{round_down, round_up, short};
+use crate::tui::view::fitted;
 use crate::tui::write;
 
 /// The pane.
 pub const PANE: Pane = Pane {
     name: "assembly",
-    summary: "discs, walls (double lines), driven discs (crossed), contact forces, velocities",
+    summary: "discs, walls (double lines), driven discs (crossed); bars along contacts are wider the \
+              larger the force",
     title: |app, _| {
         let chains = match app.look.chains {
             Chains::Off => "",
             Chains::Force => ", contact forces",
             Chains::Tangential => ", tangential forces",
         };
-        let velocities = if app.look.velocities {
-            ", velocities"
-        } else {
-            ""
-        };
-        format!("assembly{chains}{velocities}")
+        let title = format!("assembly{chains}");
+        if let (true, Some(frame)) = (app.look.velocities, &app.frame) {
+            let scale = plain(velocity_scale(&frame.picture));
+            return format!("{title}  velocities, {STROKE} columns = {scale} m/s");
+        }
+        title
     },
     draw,
 };
+
+/// Columns that the longest stroke of a velocity may cover.
+const STROKE: f64 = 6.0;
 
 fn draw(app: &App, _: PaneId, area: Rect, buffer: &mut Buffer) {
     let Some(frame) = &app.frame else {
@@ -98,7 +103,7 @@ impl Map {
     fn new(app: &App, picture: &Picture, dots: &Dots) -> Self {
         let [across, down] = dots.size().map(|n| n as f64);
         let aspect = dots.aspect();
-        let [low, high] = app.view.window(picture.bounds, across, down * aspect);
+        let [low, high] = app.view.window(fitted(picture), across, down * aspect);
         let per_metre = across.max(1.0) / (high[0] - low[0]);
         Self {
             low,
@@ -121,9 +126,20 @@ impl Map {
 }
 
 fn draw_walls(picture: &Picture, map: &Map, points: Points, dots: &mut Dots) {
-    let width = if points == Points::Braille { 2 } else { 1 };
     for wall in &picture.walls {
-        dots.bar(map.at(wall.ends[0]), map.at(wall.ends[1]), width, Ink::Wall);
+        let [from, to] = wall.ends.map(|end| map.at(end));
+        let d = [to[0] - from[0], to[1] - from[1]];
+        let length = (d[0] * d[0] + d[1] * d[1]).sqrt();
+        if points != Points::Braille || !(length > 0.0 && length.is_finite()) {
+            dots.line(from, to, Ink::Wall);
+            continue;
+        }
+        // Double, or it would look like a bar.
+        for side in [-1.0, 1.0] {
+            let beside =
+                |end: [f64; 2]| [end[0] - side * d[1] / length, end[1] + side * d[0] / length];
+            dots.line(beside(from), beside(to), Ink::Wall);
+        }
     }
 }
 
@@ -197,8 +213,12 @@ fn draw_bars(picture: &Picture, app: &App, mean: f64, map: &Map, dots: &mut Dots
             continue;
         }
         let width = match app.look.points {
-            Points::Braille => class,
-            Points::HalfBlock => class.div_ceil(2),
+            // A bar wider than it is long would hide the disc.
+            Points::Braille | Points::HalfBlock => {
+                let share = if touch.second.is_some() { 0.5 } else { 1.0 };
+                let room = share * touch.length * map.per_metre[0];
+                class.min(room.clamp(1.0, 4.0).round() as u8)
+            }
             Points::Ascii => 1,
         };
         let end = |sign: f64| {
@@ -212,16 +232,16 @@ fn draw_bars(picture: &Picture, app: &App, mean: f64, map: &Map, dots: &mut Dots
     }
 }
 
-/// Strokes from the centres; the largest velocity is about a dozen dots long.
-fn draw_velocities(picture: &Picture, map: &Map, dots: &mut Dots) {
+/// Speed that the longest stroke stands for [m/s]: a round number, so that strokes keep their length
+/// while the largest velocity varies a little.
+fn velocity_scale(picture: &Picture) -> f64 {
     let speeds = picture.discs.iter().map(speed).filter(|v| v.is_finite());
-    let largest = speeds.fold(0.0, f64::max);
-    if largest <= 0.0 {
-        return;
-    }
-    let longest = 6.0 * map.cell;
-    // A round number: the others keep their length while the largest varies a little.
-    let scale = longest / round_up(largest);
+    round_up(speeds.fold(0.0, f64::max))
+}
+
+/// Strokes from the centres.
+fn draw_velocities(picture: &Picture, map: &Map, dots: &mut Dots) {
+    let scale = STROKE * map.cell / velocity_scale(picture);
     for disc in &picture.discs {
         let from = map.at(disc.at);
         let down = map.per_metre[1] / map.per_metre[0];
@@ -263,7 +283,7 @@ fn about(disc: &Disc, touches: &[Touch]) -> String {
     let (force, contacts) = contact_force(disc.id, touches);
     let size = (force[0] * force[0] + force[1] * force[1]).sqrt();
     format!(
-        "disc {}: x {} y {} m  v {} m/s  F {} N of {contacts} contacts",
+        "disc {}: x {} y {} m  v {} m/s  sum F {} N, {contacts} contacts",
         disc.id,
         short(disc.at[0]),
         short(disc.at[1]),
@@ -298,13 +318,7 @@ fn write_scale(app: &App, map: &Map, mean: f64, (line, buffer): (Rect, &mut Buff
     let size = [0, 1].map(|k| map.high[k] - map.low[k]);
     let metres_per_column = map.cell / map.per_metre[0];
     let most = f64::from(line.width) * metres_per_column / 8.0;
-    // The largest round number below.
-    let length = round_up(most)
-        / if round_up(most) > 2.0 * most {
-            5.0
-        } else {
-            2.0
-        };
+    let length = round_down(most);
     let columns = (length / metres_per_column).round().clamp(1.0, 60.0) as usize;
     let text = format!(
         "|{}| {} m  view {} x {} m",
@@ -317,13 +331,8 @@ fn write_scale(app: &App, map: &Map, mean: f64, (line, buffer): (Rect, &mut Buff
     if mean <= 0.0 {
         return;
     }
-    let meaning = [
-        (1, "<0.5"),
-        (2, "<1"),
-        (3, "<2"),
-        (4, "more, times the mean"),
-    ];
-    let width: usize = meaning.iter().map(|(_, text)| text.len() + 3).sum();
+    let meaning = [(1, "<.5 "), (2, "<1 "), (3, "<2 "), (4, ">2 mean")];
+    let width: usize = meaning.iter().map(|(_, text)| text.len() + 1).sum();
     if usize::from(line.width) < usize::from(end) + 2 + width {
         return;
     }
@@ -332,12 +341,11 @@ fn write_scale(app: &App, map: &Map, mean: f64, (line, buffer): (Rect, &mut Buff
         let role = Role::Force(class);
         let mark = mark(app.look.points, class);
         column = write::at(&app.look, (line, &mut *buffer), (column, 0), mark, role);
-        let text = format!(" {text} ");
         column = write::at(
             &app.look,
             (line, &mut *buffer),
             (column, 0),
-            &text,
+            text,
             Role::Label,
         );
     }
@@ -347,7 +355,7 @@ fn write_scale(app: &App, map: &Map, mean: f64, (line, buffer): (Rect, &mut Buff
 fn mark(points: Points, class: u8) -> &'static str {
     let marks = match points {
         Points::Braille => ["⠒", "⠶", "⠿", "⣿"],
-        Points::HalfBlock => ["▀", "▀", "█", "█"],
+        Points::HalfBlock => ["▁", "▃", "▅", "█"],
         Points::Ascii => ["-", "=", "%", "@"],
     };
     marks[usize::from(class.clamp(1, 4)) - 1]

@@ -23,6 +23,18 @@ pub const PANE: Pane = Pane {
 /// Drawn dotted into the same chart as its first.
 const COMPANIONS: [(&str, &str); 1] = [("sin_phi", "sin_phi_shear")];
 
+/// Ratios that run through decades: their axis counts powers of ten.
+const DECADES: [&str; 2] = ["unbalanced", "unbalanced_max"];
+
+/// The axis of a column over these values.
+pub(super) fn axis(name: &str, low: f64, high: f64, steps: usize) -> Scale {
+    if DECADES.contains(&name) {
+        Scale::decades(low, high, steps)
+    } else {
+        Scale::over(low, high, steps)
+    }
+}
+
 fn column_name(app: &App, id: PaneId) -> &str {
     let slot = match id {
         PaneId::Chart(slot) => slot,
@@ -48,12 +60,15 @@ fn title(app: &App, id: PaneId) -> String {
         return if name.is_empty() { "chart" } else { name }.to_owned();
     };
     let card = app.series.columns[column].card();
-    let mut text = format!("{name} [{}] {}", card.unit, short(newest(app, column)));
-    match companion(app, name) {
-        Some(second) => text.push_str(&format!(", dotted: shear {}", short(newest(app, second)))),
-        None => text.push_str(&format!("  {}", card.summary)),
-    }
-    text
+    let more = match companion(app, name) {
+        Some(second) => format!("dotted: shear part {}", short(newest(app, second))),
+        None => card.summary.to_owned(),
+    };
+    format!(
+        "{name} [{}] {}  {more}",
+        card.unit,
+        short(newest(app, column))
+    )
 }
 
 fn draw(app: &App, id: PaneId, area: Rect, buffer: &mut Buffer) {
@@ -80,10 +95,12 @@ fn draw(app: &App, id: PaneId, area: Rect, buffer: &mut Buffer) {
         return say(&format!("no rows yet, one every {every} cycles"), buffer);
     }
     let second = companion(app, name);
-    let Some((low, high)) = extent(app, column, second) else {
+    let decades = DECADES.contains(&name);
+    let Some((low, high)) = extent(app, column, second, decades) else {
         return say("undefined in every row so far", buffer);
     };
-    let scale = Scale::over(low, high, usize::from(area.height / 3).clamp(1, 8));
+    let steps = usize::from(area.height / 3).clamp(1, 8);
+    let scale = axis(name, low, high, steps);
     let labels = scale.ticks();
     let widest = labels
         .iter()
@@ -118,12 +135,13 @@ fn draw(app: &App, id: PaneId, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// Smallest and largest value.
-fn extent(app: &App, column: usize, second: Option<usize>) -> Option<(f64, f64)> {
+/// Smallest and largest value that has a place on the axis.
+fn extent(app: &App, column: usize, second: Option<usize>, decades: bool) -> Option<(f64, f64)> {
     let values = [Some(column), second]
         .into_iter()
         .flatten()
-        .flat_map(|column| app.series.points(column).map(|(_, value)| value));
+        .flat_map(|column| app.series.points(column).map(|(_, value)| value))
+        .filter(|value| !decades || *value > 0.0);
     values.fold(None, |extent, value| {
         let (low, high) = extent.unwrap_or((value, value));
         Some((value.min(low), value.max(high)))
@@ -168,7 +186,8 @@ fn draw_curve(
     let mut sweep: Option<Sweep> = None;
     for row in app.series.rows() {
         let value = row.values.get(column).copied().unwrap_or(f64::NAN);
-        if !value.is_finite() {
+        let place = scale.place(value);
+        if !(value.is_finite() && place.is_finite()) {
             if let Some(done) = sweep.take() {
                 finish(&done, None, dots, ink);
             }
@@ -176,7 +195,7 @@ fn draw_curve(
         }
         let share = (row.cycle as f64 - span.start) / (span.end - span.start);
         let x = (share.clamp(0.0, 1.0) * across).round() as i64;
-        let y = ((1.0 - scale.place(value)).clamp(0.0, 1.0) * down).round() as i64;
+        let y = ((1.0 - place).clamp(0.0, 1.0) * down).round() as i64;
         match &mut sweep {
             Some(now) if now.x == x => {
                 now.last = y;
@@ -258,38 +277,33 @@ fn write_labels(
     }
 }
 
-/// Cycles below: both ends and the middle.
+/// Cycles below: both ends and the middle, as far as they do not touch.
 fn write_cycles(app: &App, span: &Range<f64>, body: Rect, buffer: &mut Buffer) {
     let line = Rect {
         y: body.bottom(),
         height: 1,
         ..body
     };
-    let middle = 0.5 * (span.start + span.end);
-    let texts = [span.start, middle, span.end].map(grouped);
     let width = usize::from(body.width);
-    let last = format!("{} cycles", texts[2]);
-    if width >= texts[0].len() + last.len() + 2 {
-        write::at(
-            &app.look,
-            (line, &mut *buffer),
-            (0, 0),
-            &texts[0],
-            Role::Label,
-        );
+    let [first, middle, last] = [span.start, 0.5 * (span.start + span.end), span.end].map(grouped);
+    let last = if width >= 24 {
+        format!("{last} cycles")
+    } else {
+        last
+    };
+    let mut write = |column: usize, text: &str| {
+        let place = (column as u16, 0);
+        write::at(&app.look, (line, &mut *buffer), place, text, Role::Label);
+    };
+    let end = width.saturating_sub(last.len());
+    let centre = (width / 2).saturating_sub(middle.len() / 2);
+    write(end, &last);
+    if first.len() + 2 <= end {
+        write(0, &first);
     }
-    if width >= texts[0].len() + texts[1].len() + last.len() + 12 {
-        let column = (width / 2 - texts[1].len() / 2) as u16;
-        write::at(
-            &app.look,
-            (line, &mut *buffer),
-            (column, 0),
-            &texts[1],
-            Role::Label,
-        );
+    if first.len() + 2 <= centre && centre + middle.len() + 2 <= end {
+        write(centre, &middle);
     }
-    let column = width.saturating_sub(last.len()) as u16;
-    write::at(&app.look, (line, buffer), (column, 0), &last, Role::Label);
 }
 
 fn grouped(cycle: f64) -> String {

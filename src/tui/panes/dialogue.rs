@@ -102,9 +102,9 @@ fn invitation(app: &App) -> &'static str {
     match &app.frame {
         None => "> ",
         Some(frame) if app.failure.is_some() || frame.finished => {
-            "> : types a command, e exports the history, b lists presets"
+            "press : to type a command, e to export the history, b for presets"
         }
-        Some(_) => "> : types a command, ? helps",
+        Some(_) => "press : to type a command, ? for help",
     }
 }
 

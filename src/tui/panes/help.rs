@@ -7,7 +7,7 @@ use ratatui::widgets::{Block, Clear, Widget};
 use super::PANES;
 use crate::language::COMMANDS;
 use crate::tui::app::App;
-use crate::tui::keys::KEYS;
+use crate::tui::keys::{Action, KEYS};
 use crate::tui::look::Role;
 use crate::tui::write::{self, Lines};
 
@@ -78,7 +78,11 @@ fn page(app: &App, width: u16) -> Vec<Line> {
 fn keys(width: u16) -> Vec<Line> {
     let texts: Vec<String> = KEYS
         .iter()
-        .map(|key| format!("{:8} {}", key.label, key.help))
+        .filter_map(|key| match key.action {
+            Action::Pane(0) => Some(format!("{:8} pane of this number", "1 to 9")),
+            Action::Pane(_) => None,
+            _ => Some(format!("{:8} {}", key.label, key.help)),
+        })
         .collect();
     if width < TWO_COLUMNS {
         return texts.into_iter().map(|text| (text, Role::Label)).collect();
@@ -150,10 +154,10 @@ pub fn ask(app: &App, area: Rect, buffer: &mut Buffer) {
     let area = area.intersection(buffer.area);
     let cycles = app.frame.as_ref().map_or(0, |frame| frame.cycle);
     let text = format!(
-        "{} cycles are not exported. q quits all the same, Esc stays; then e exports.",
+        "{} cycles are not exported. q quits all the same; Esc stays, then e exports.",
         super::status::grouped(cycles.saturating_sub(app.kept_cycle))
     );
-    let width = (text.len() as u16 + 2).min(area.width);
+    let width = area.width.min(56);
     let room = usize::from(width.saturating_sub(2));
     let height = (write::wrapped(&text, room).len() as u16 + 2).min(area.height);
     let place = Rect {

@@ -46,7 +46,7 @@ pub struct Pane {
     pub name: &'static str,
     /// What it shows, one line.
     pub summary: &'static str,
-    /// Title of the pane as it is.
+    /// Title of the pane as it is. What follows two blanks is left out where there is no room.
     pub title: fn(&App, PaneId) -> String,
     /// Draws the inside.
     pub draw: fn(&App, PaneId, Rect, &mut Buffer),
@@ -78,7 +78,11 @@ pub fn draw(app: &App, id: PaneId, number: usize, area: Rect, buffer: &mut Buffe
     let pane = row(id);
     let focused = app.focus == number;
     let role = if focused { Role::Focus } else { Role::Frame };
-    let title = format!(" {} {} ", number + 1, (pane.title)(app, id));
+    let title = format!(
+        " {} {} ",
+        number + 1,
+        fitting(&(pane.title)(app, id), area.width)
+    );
     let title = write::shown(&app.look, &title);
     let block = Block::bordered()
         .border_set(app.border())
@@ -88,5 +92,40 @@ pub fn draw(app: &App, id: PaneId, number: usize, area: Rect, buffer: &mut Buffe
     block.render(area, buffer);
     if !inner.is_empty() {
         (pane.draw)(app, id, inner, buffer);
+    }
+}
+
+/// As many parts of a title as have room in a pane of this width.
+fn fitting(title: &str, width: u16) -> &str {
+    let room = usize::from(width).saturating_sub(6);
+    let mut text = title;
+    while text.chars().count() > room {
+        match text.rsplit_once("  ") {
+            Some((shorter, _)) => text = shorter.trim_end(),
+            None => break,
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_pane_has_its_row() {
+        for (id, pane) in PANES {
+            assert_eq!(row(*id).name, pane.name);
+        }
+        assert_eq!(row(PaneId::Chart(3)).name, "chart");
+    }
+
+    #[test]
+    fn titles_lose_their_last_parts() {
+        let title = "kinetic [J] 0.1  translational  energy";
+        assert_eq!(fitting(title, 80), title);
+        assert_eq!(fitting(title, 40), "kinetic [J] 0.1  translational");
+        assert_eq!(fitting(title, 22), "kinetic [J] 0.1");
+        assert_eq!(fitting(title, 5), "kinetic [J] 0.1");
     }
 }

@@ -16,7 +16,8 @@ pub const PANE: Pane = Pane {
     summary: "FRACC and FRAC against their limits, time step, warnings; w marks them as seen",
     title: |app, _| match app.unseen {
         0 => "step monitor".into(),
-        new => format!("step monitor, warnings: {new} new"),
+        1 => "step monitor  1 new warning".into(),
+        new => format!("step monitor  {new} new warnings"),
     },
     draw,
 };
@@ -32,7 +33,7 @@ fn draw(app: &App, _: PaneId, area: Rect, buffer: &mut Buffer) {
     let Some(frame) = &app.frame else {
         return;
     };
-    for gauge in gauges(frame) {
+    for gauge in gauges(app, frame) {
         gauge.write(app, area.width, &mut lines);
     }
     let step = format!("{} s", short(frame.dt));
@@ -64,11 +65,14 @@ struct Gauge {
     limit: f64,
 }
 
-fn gauges(frame: &Frame) -> [Gauge; 2] {
+fn gauges(app: &App, frame: &Frame) -> [Gauge; 2] {
+    // Right after a row nothing has been seen yet; then the row says what was.
+    let column = app.series.position("fracc");
+    let row = column.and_then(|k| app.series.rows().last()?.values.get(k).copied());
     [
         Gauge {
             name: "FRACC",
-            value: frame.fracc.largest.unwrap_or(f64::NAN),
+            value: frame.fracc.largest.or(row).unwrap_or(f64::NAN),
             limit: FRACC_LIMIT,
         },
         Gauge {
@@ -83,7 +87,7 @@ impl Gauge {
     fn write(&self, app: &App, width: u16, lines: &mut Lines<'_>) {
         let over = self.value > self.limit;
         let number = if self.value.is_nan() {
-            "none since the last row".to_owned()
+            "not evaluated yet".to_owned()
         } else if self.limit.is_finite() {
             format!("{:.3} of {}", self.value, short(self.limit))
         } else {

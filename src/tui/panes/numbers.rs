@@ -7,7 +7,7 @@ use super::{Pane, PaneId};
 use crate::measure::columns::{Column, Kind};
 use crate::tui::app::App;
 use crate::tui::look::{Points, Role};
-use crate::tui::scale::{Scale, count, short};
+use crate::tui::scale::{count, short};
 use crate::tui::write::Lines;
 
 /// The pane.
@@ -15,7 +15,7 @@ pub const PANE: Pane = Pane {
     name: "numbers",
     summary: "newest row of the history; enlarged, all its columns",
     title: |app, _| match app.series.rows().last() {
-        Some(row) => format!("row of cycle {}", super::status::grouped(row.cycle)),
+        Some(row) => format!("newest row  cycle {}", super::status::grouped(row.cycle)),
         None => "numbers".into(),
     },
     draw,
@@ -91,16 +91,23 @@ fn write_column(app: &App, k: usize, value: f64, width: u16, lines: &mut Lines<'
     let width = usize::from(width);
     let unit = if card.unit == "-" { "" } else { card.unit };
     let mut name = column.name();
-    let names = if width >= 40 {
-        24
-    } else {
-        width.saturating_sub(11)
-    };
+    if width < 26 {
+        // No room for columns: the number right behind the name.
+        let room = width.saturating_sub(number.len() + 1);
+        name = name.chars().take(room).collect();
+        lines.parts(&[
+            (&name, Role::Label),
+            (" ", Role::Label),
+            (&number, Role::Value),
+        ]);
+        return;
+    }
+    let names = width.saturating_sub(18).min(24);
     if name.chars().count() > names {
         name = name.chars().take(names).collect();
     }
     let text = format!("{name:names$} ");
-    let number = format!("{number:>10} {unit:3} ");
+    let number = format!("{number:>10} {unit:5} ");
     let used = text.len() + number.len();
     let room = width.saturating_sub(used + 1).min(32);
     let sparkline = if room >= 6 {
@@ -155,7 +162,7 @@ fn sparkline(app: &App, column: usize, width: usize) -> String {
         cells[at].0 += value;
         cells[at].1 += 1;
     }
-    let scale = Scale::over(low, high, 5);
+    let scale = super::chart::axis(app.series.columns[column].card().name, low, high, 5);
     cells
         .into_iter()
         .map(|(sum, count)| {

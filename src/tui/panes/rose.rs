@@ -132,13 +132,13 @@ fn draw(app: &App, weighted: bool, area: Rect, buffer: &mut Buffer) {
 }
 
 fn foot_text(rose: &Rose, width: usize) -> String {
-    let anisotropy = format!("a {:.3} at {:.0} deg", rose.anisotropy, rose.direction);
-    let long = format!("{} contacts, anisotropy {}", rose.count, &anisotropy[2..]);
-    let middle = format!("n {}  {anisotropy}", rose.count);
-    [long, middle, anisotropy]
+    let short = format!("anisotropy {:.3}", rose.anisotropy);
+    let middle = format!("{short} at {:.0} deg", rose.direction);
+    let long = format!("{} contacts, {middle}", rose.count);
+    [long, middle, short]
         .into_iter()
         .find(|text| text.len() <= width)
-        .unwrap_or_else(|| format!("n {}", rose.count))
+        .unwrap_or_else(|| format!("{:.3}", rose.anisotropy))
 }
 
 /// Sectors as steps, and the dotted circle of equal numbers.

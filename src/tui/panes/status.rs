@@ -57,22 +57,25 @@ fn parts(app: &App) -> Vec<(String, Role)> {
     };
     let mut parts = vec![(word.to_owned(), role)];
     parts.push((format!("cycle {}", grouped(frame.cycle)), Role::Value));
+    if let Some(failure) = &app.failure {
+        parts.push((failure.clone(), Role::Failure));
+    } else if frame.finished && !frame.running {
+        parts.push(("e exports, : goes on by hand, b presets".into(), plain));
+    }
     parts.extend(progress(frame).map(|text| (text, plain)));
-    if app.unseen > 0 {
-        parts.push((format!("W:{}", app.unseen), Role::Warning));
+    match app.unseen {
+        0 => {}
+        1 => parts.push(("1 warning".into(), Role::Warning)),
+        n => parts.push((format!("{n} warnings"), Role::Warning)),
     }
     let (stage, stages) = frame.stages;
     if stages > 0 {
         parts.push((format!("stage {} {stage}/{stages}", frame.stage), plain));
     }
-    if let (false, Some(failure)) = (frame.running, &app.failure) {
-        parts.push((failure.clone(), Role::Failure));
-    } else if frame.running {
+    if frame.running {
         let pace = if app.pace.is_some() { " paced" } else { "" };
         parts.push((format!("{}{pace}", rate(frame.rate, "cyc/s")), plain));
-    } else if frame.finished {
-        parts.push(("e exports, : goes on by hand, b presets".into(), plain));
-    } else {
+    } else if !frame.finished && app.failure.is_none() {
         parts.push(("space runs".into(), plain));
     }
     if frame.assembly.unbalanced.is_finite() {
@@ -93,14 +96,13 @@ fn progress(frame: &Frame) -> Option<String> {
     if length == 0 || frame.finished {
         return None;
     }
-    let mut text = format!("{:.0} %", 100.0 * done as f64 / length as f64);
-    if frame.running && frame.rate > 0.0 {
-        let seconds = length.saturating_sub(done) as f64 / frame.rate;
-        if seconds >= 1.0 {
-            text.push_str(&format!(" eta {}", time_left(seconds)));
-        }
+    let share = format!("{:.0} %", 100.0 * done as f64 / length as f64);
+    let seconds = length.saturating_sub(done) as f64 / frame.rate;
+    if frame.running && frame.rate > 0.0 && seconds >= 1.0 {
+        Some(format!("{share} eta {}", time_left(seconds)))
+    } else {
+        Some(share)
     }
-    Some(text)
 }
 
 /// Draws the status line.
@@ -108,8 +110,9 @@ pub fn draw(app: &App, area: Rect, buffer: &mut Buffer) {
     let mut column = 0;
     for (text, role) in parts(app) {
         let width = text.chars().count();
-        // The first is cut rather than left out.
-        if column > 0 && usize::from(column) + width > usize::from(area.width) {
+        // What matters most is cut rather than left out.
+        let must = column == 0 || role == Role::Failure;
+        if !must && usize::from(column) + width > usize::from(area.width) {
             break;
         }
         let on = (area, &mut *buffer);
