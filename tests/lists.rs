@@ -136,9 +136,10 @@ fn laws_columns_and_keys_are_complete() {
         ("particle:I:", PARTICLE_COLUMNS),
     ] {
         for card in list {
-            let name = format!("{prefix}{}", card.name);
-            let unit = format!("[{}]", card.unit);
-            assert!(has_line(&columns, &[&name, &unit]), "{name}");
+            let name = format!("{prefix}{} ", card.name);
+            let line = columns.lines().find(|line| line.starts_with(&name));
+            let line = line.unwrap_or_else(|| panic!("no {name}"));
+            assert!(line.contains(&format!("[{}]", card.unit)), "{line}");
             assert!(columns.contains(card.summary), "{name}");
         }
     }
@@ -160,8 +161,8 @@ fn laws_columns_and_keys_are_complete() {
 fn every_command_is_listed_and_has_a_page() {
     let list = listed(&["commands"]);
     for card in COMMANDS {
-        assert!(has_line(&list, &[card.name]), "{}", card.name);
-        assert!(list.contains(card.summary), "{}", card.name);
+        let row = format!("{}\n    {}\n", card.usage, card.summary);
+        assert!(list.contains(&row), "{row}");
         let page = listed(&["commands", card.name]);
         assert!(
             page.contains(card.name) && page.lines().count() >= 2,
@@ -275,7 +276,7 @@ fn wrong_names_are_answered_with_near_ones() {
         ),
         (&["show"], &["<NAME>"]),
         (&["commands", "frictoin"], &["did you mean", "friction"]),
-        (&["commands", "zzz"], &["there is no command zzz"]),
+        (&["commands", "zzz"], &["zzz"]),
         (&["check", "two-disc"], &["there is no preset", "two-discs"]),
         (
             &["verify", "two-disc"],
