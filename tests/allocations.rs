@@ -26,11 +26,13 @@ unsafe impl GlobalAlloc for Counting {
         unsafe { System.alloc(layout) }
     }
 
+    // SAFETY: as above, unchanged.
     unsafe fn dealloc(&self, at: *mut u8, layout: Layout) {
         // SAFETY: `at` came from `alloc` above, that is from the system.
         unsafe { System.dealloc(at, layout) }
     }
 
+    // SAFETY: as above, unchanged.
     unsafe fn realloc(&self, at: *mut u8, layout: Layout, size: usize) -> *mut u8 {
         REQUESTS.fetch_add(1, Ordering::Relaxed);
         // SAFETY: `at` came from `alloc` above, that is from the system.

@@ -1,3 +1,4 @@
+// Long because: one scene stands above the tests that share it, for rolling, impacts and momenta.
 //! Motion: rolling, impacts, momentum, the order of the leapfrog, damping of motion, and digits.
 
 mod common;

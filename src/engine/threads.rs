@@ -30,6 +30,7 @@ pub fn share(total: usize, parts: usize, part: usize) -> std::ops::Range<usize> 
 /// A borrowed task: a call and its data, both valid until all workers are done.
 #[derive(Clone, Copy)]
 struct Task {
+    // SAFETY: whoever calls it passes the `data` beside it and a part below `parts`, each once.
     call: unsafe fn(*const (), usize),
     data: *const (),
     parts: usize,
@@ -100,6 +101,7 @@ impl Threads {
             jobs: *mut J,
             work: F,
         }
+        // SAFETY: `data` comes from `run` below, which outlives the call; see the block inside.
         unsafe fn call<J, F: Fn(&mut J)>(data: *const (), part: usize) {
             // SAFETY: `run` made `data` from a `Borrowed<J, F>` that outlives the call, and each
             // part, below the number of jobs, is run by one thread only.

@@ -120,7 +120,7 @@ pub const COLUMNS: &[Card] = &[
     regional(
         "sin_phi_shear",
         "-",
-        "share of sin_phi that tangential forces carry",
+        "part of sin_phi that tangential forces carry",
     ),
     regional(
         "anisotropy",

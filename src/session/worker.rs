@@ -248,10 +248,9 @@ impl Desk {
     fn carry_out(&mut self, order: Order) -> bool {
         match order {
             Order::Line(line) => self.execute(line),
-            Order::Go => self.go(),
             Order::Pause => self.running = false,
             Order::Toggle if self.running => self.running = false,
-            Order::Toggle => self.go(),
+            Order::Go | Order::Toggle => self.go(),
             Order::Row => {
                 let every = self.session.recording().every;
                 let rest = every - self.session.world().cycle_number() % every;

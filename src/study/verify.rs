@@ -112,7 +112,6 @@ fn find(session: &Session, expect: &Expect) -> Finding {
     let inside =
         |value: f64, middle: f64, band: Band| (value - middle).abs() <= width(band, middle);
     let (verdict, reason) = match (&value, &expect.differs) {
-        (Err(_), _) => (Verdict::Fail, String::new()),
         (Ok(value), None) if inside(*value, expect.value, expect.within) => {
             (Verdict::Pass, String::new())
         }
@@ -120,7 +119,7 @@ fn find(session: &Session, expect: &Expect) -> Finding {
             Verdict::Differs,
             format!("ours {:?}: {}", differs.ours, differs.reason),
         ),
-        (Ok(_), None) => (Verdict::Fail, String::new()),
+        (Err(_), _) | (Ok(_), None) => (Verdict::Fail, String::new()),
         (Ok(_), Some(differs)) => (
             Verdict::Fail,
             format!(

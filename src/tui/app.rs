@@ -564,7 +564,10 @@ impl App {
         panes::status::hints(self, a.hints, buffer);
         let cursor = panes::dialogue::prompt(self, a.prompt, buffer);
         match self.overlay {
-            Some(Overlay::Help(at)) => panes::help::draw(self, at, area, buffer),
+            Some(Overlay::Help(at)) => {
+                let at = panes::help::draw(self, at, area, buffer);
+                self.overlay = Some(Overlay::Help(at));
+            }
             Some(Overlay::Presets(at)) => panes::presets::draw(self, at, area, buffer),
             Some(Overlay::Quit) => panes::help::ask(self, area, buffer),
             None => {}

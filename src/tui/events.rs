@@ -9,6 +9,8 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
+use signal_hook::consts::{SIGCONT, SIGTSTP};
+
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 
 /// What ended a wait.
@@ -61,7 +63,6 @@ impl JobControl {
             stop: Arc::default(),
             resumed: Arc::default(),
         };
-        use signal_hook::consts::{SIGCONT, SIGTSTP};
         signal_hook::flag::register(SIGTSTP, Arc::clone(&control.stop))?;
         signal_hook::flag::register(SIGCONT, Arc::clone(&control.resumed))?;
         Ok(control)

@@ -68,7 +68,7 @@ pub enum Action {
 }
 
 /// A row of the table.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub struct Key {
     /// The keys.
     pub press: &'static [(KeyCode, KeyModifiers)],

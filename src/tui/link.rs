@@ -68,7 +68,7 @@ impl Link {
             fps: line.fps,
             tokens: line.budget.unwrap_or(0.0),
             filled: now,
-            drawn: now - Duration::from_secs(1),
+            drawn: now.checked_sub(Duration::from_secs(1)).unwrap_or(now),
             window: (now, 0, 0),
             measured: (0.0, 0.0),
         }

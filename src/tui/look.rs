@@ -103,19 +103,16 @@ impl Look {
         match role {
             Role::Frame | Role::Label | Role::Value | Role::Disc => plain,
             Role::Focus => plain.fg(Color::Cyan).add_modifier(Modifier::BOLD),
-            Role::Warning => plain.fg(Color::Yellow),
+            Role::Warning | Role::Force(3) => plain.fg(Color::Yellow),
             Role::Failure => plain.fg(Color::Red).add_modifier(Modifier::BOLD),
             Role::Running => plain.fg(Color::Green).add_modifier(Modifier::BOLD),
             Role::Paused => plain.fg(Color::Yellow).add_modifier(Modifier::BOLD),
-            Role::Wall => plain.fg(Color::Blue),
-            Role::Force(1) => plain.fg(Color::Blue),
+            Role::Wall | Role::Force(1) => plain.fg(Color::Blue),
             Role::Force(2) => plain.fg(Color::Green),
-            Role::Force(3) => plain.fg(Color::Yellow),
             Role::Force(_) => plain.fg(Color::Red),
             Role::Selected => plain.add_modifier(Modifier::REVERSED),
             Role::Curve => plain.fg(Color::Cyan),
-            Role::SecondCurve => plain.fg(Color::Magenta),
-            Role::Velocity => plain.fg(Color::Magenta),
+            Role::SecondCurve | Role::Velocity => plain.fg(Color::Magenta),
         }
     }
 

@@ -5,6 +5,7 @@
 //! be looked at a row of [`panes::PANES`]; help derives from both.
 
 pub mod app;
+pub mod dots;
 pub mod events;
 pub mod keys;
 pub mod layout;
@@ -14,7 +15,9 @@ pub mod painter;
 pub mod panes;
 pub mod plain;
 pub mod prompt;
+pub mod scale;
 pub mod series;
 pub mod terminal;
 pub mod view;
 pub mod workbench;
+pub mod write;

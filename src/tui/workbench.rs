@@ -45,7 +45,7 @@ pub struct Ended {
 }
 
 /// Nothing to do: look around this often.
-const IDLE: Duration = Duration::from_millis(1000);
+const IDLE: Duration = Duration::from_secs(1);
 
 struct Workbench {
     app: App,
@@ -119,7 +119,7 @@ pub fn run(scene: Scene, start: &Start) -> Result<Ended, RunError> {
         urgent: true,
     };
     let end = bench.work(&interrupt, &jobs);
-    Ok(bench.close(end))
+    Ok(bench.close(&end))
 }
 
 fn cannot(what: &'static str) -> impl Fn(std::io::Error) -> RunError {
@@ -300,7 +300,7 @@ impl Workbench {
         }
     }
 
-    fn close(self, end: End) -> Ended {
+    fn close(self, end: &End) -> Ended {
         let Self {
             worker,
             terminal,
@@ -314,7 +314,7 @@ impl Workbench {
             .as_ref()
             .map(|session| session.world().cycle_number());
         let saved = keep.as_ref().filter(|keep| keep.checkpoint.exists());
-        let mut farewell = match &end {
+        let mut farewell = match end {
             End::Quit => String::new(),
             End::Gone => "the terminal is gone\n".to_owned(),
             End::Signal(signal) => format!("{}\n", signal.name),

@@ -232,9 +232,9 @@ const MISTAKES: &[(&str, &str, &str)] = &[
         "kinetic",
     ),
     (
-        "solve until sin_phi and 3",
-        "`sin_phi` is no column; the nearest name is `kinetic`",
-        "sin_phi",
+        "solve until sin_phy and 3",
+        "`sin_phy` is no column; did you mean `sin_phi`?",
+        "sin_phy",
     ),
     (
         "solve ratio 1 until cycle > 3",

@@ -6,7 +6,7 @@ use ballast::language::command::{
     Property, Solve, WallChange,
 };
 use ballast::language::{COMMANDS, Command, Expression, Known};
-use ballast::measure::columns::{Column, Partner};
+use ballast::measure::columns::{COLUMNS, Column, Partner};
 use proptest::prelude::*;
 
 fn finite() -> impl Strategy<Value = f64> {
@@ -56,7 +56,14 @@ fn column() -> impl Strategy<Value = Column> {
             k
         )),
         (1..=u32::MAX, 0..6_usize).prop_map(|(i, k)| Column::Particle(i, k)),
+        (wall(), prop::sample::select(regional())).prop_map(|(name, k)| Column::Region(name, k)),
     ]
+}
+
+/// Places of the columns that a region can have.
+fn regional() -> Vec<usize> {
+    let places = 0..COLUMNS.len();
+    places.filter(|&k| COLUMNS[k].regional).collect()
 }
 
 fn condition() -> impl Strategy<Value = Expression> {

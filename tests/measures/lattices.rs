@@ -38,7 +38,7 @@ fn is_isotropic(m: &Measured, stress: f64) {
     // All normal forces are alike and nothing shears: fabric is the whole of it.
     assert!((m.stress.fabric - s).norm() < ROUNDING * stress);
     assert!(m.stress.normal_variation.norm() < ROUNDING * stress);
-    assert_eq!(m.stress.shear, Matrix2::zeros());
+    assert!(m.stress.shear.norm() < ROUNDING * stress);
     assert!(m.stress.sin_phi() < ROUNDING);
 }
 
@@ -105,13 +105,13 @@ fn a_turned_packing_turns_its_tensors_and_keeps_its_invariants() {
     // the middle of a circle that passes no centre within 1e-3.
     let circle = Shape::Circle {
         centre: [0.0; 2],
-        radius: 9.9,
+        radius: 9.5,
     };
     let discs = lattice([D, 0.0], [0.5 * D, 0.85 * D], 16.0);
     let radii = discs
         .iter()
         .map(|(x, _)| (x[0] * x[0] + x[1] * x[1]).sqrt());
-    assert!(radii.clone().all(|r| (r - 9.9).abs() > 1e-3));
+    assert!(radii.clone().all(|r| (r - 9.5).abs() > 1e-3));
     let flat = measured(&built(setup(&discs)), circle);
     assert!(flat.stress.sin_phi() > 0.1, "{}", flat.stress.sin_phi());
     assert!(flat.fabric.anisotropy() > 1e-3);

@@ -73,7 +73,7 @@ pub(crate) fn setup(discs: &[Disc]) -> Setup {
 
 /// The world of a setup with its first forces summed.
 pub(crate) fn built(setup: Setup) -> World {
-    let mut world = World::build(setup, 1).unwrap();
+    let mut world = World::build(setup, 1).expect("the assembly is sound");
     world.settle();
     world
 }
@@ -155,8 +155,14 @@ pub(crate) fn compressed(columns: u32, rows: u32) -> Setup {
     setup
 }
 
-/// Stops all walls.
+/// Stops all walls, and particles too: about half of critical for the slowest swing of some ten discs,
+/// sqrt(k/m) pi/10. Rattlers would otherwise fly from wall to wall for ever.
 pub(crate) fn stop(world: &mut World) {
+    let damping = Damping {
+        global: 5.0,
+        ..world.model().damping
+    };
+    world.set_damping(damping);
     for w in 0..world.walls().len() {
         world.set_wall_velocity(w, [0.0; 2]);
     }
@@ -165,7 +171,7 @@ pub(crate) fn stop(world: &mut World) {
 /// Runs cycles and sums the forces.
 pub(crate) fn run(world: &mut World, cycles: u32) {
     for _ in 0..cycles {
-        world.cycle().unwrap();
+        world.cycle().expect("nothing runs away");
     }
     world.settle();
 }

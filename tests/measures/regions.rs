@@ -146,7 +146,10 @@ fn roses_count_wall_contacts_once_and_sliding_ones_apart() {
     assert!(close(rose.force[0], 0.02 * K, 1e-12, K));
     let mut world = built(compressed(6, 6));
     let mut slid = 0.0;
-    for _ in 0..60 {
+    for _ in 0..40 {
+        if slid > 10.0 {
+            break;
+        }
         run(&mut world, 20);
         let sample = Sample::of(&mut world);
         let rose = sample.regional().rose();
@@ -226,16 +229,16 @@ fn presets_name_regions_and_histories_read_them() {
         radius = 1
         material = "m"
         [[measure]]
-        name = "half"
-        rectangle = { min = [-1, -1], max = [0, 1] }
+        name = "left"
+        rectangle = { min = [-1, -1], max = [0.5, 1] }
         [[measure]]
         name = "whole"
         circle = { centre = [0.99, 0], radius = 2 }
         [history]
-        columns = ["porosity", "region:whole:porosity", "region:half:stress_11", "stress_11"]
+        columns = ["porosity", "region:whole:porosity", "region:left:stress_11", "stress_11"]
         [[stage]]
         name = "look"
-        max_cycles = 0
+        max_cycles = 1
     "#;
     let scene = Scene::parse("regions", preset, &[]).unwrap();
     let mut session = Session::open(scene, Options::default()).unwrap();
@@ -244,11 +247,12 @@ fn presets_name_regions_and_histories_read_them() {
         let column = Column::parse(name).unwrap();
         session.recording().term(0, &Term::Column(column))
     };
-    assert!((value("porosity") - (1.0 - PI / 4.0)).abs() < 1e-14);
+    // The default is the first, which a segment of the first disc sticks out of.
+    let disc = PI - (PI / 3.0 - 3f64.sqrt() / 4.0);
+    assert!((value("porosity") - (1.0 - disc / 3.0)).abs() < 1e-14);
     assert!((value("region:whole:porosity") - 0.5).abs() < 1e-14);
-    // The default is the first: half a disc, whose other half carries the contact. Its stress is
-    // that of its whole volume scaled to the half that is in: 0.99 F/(area of the region).
-    let stress = PI / 4.0 / PI * 0.99 * 0.02 * 1e6;
-    assert!(close(value("region:half:stress_11"), stress, 1e-12, stress));
-    assert_eq!(value("stress_11"), value("region:half:stress_11"));
+    // Its stress is that of the whole disc's volume, scaled to what of it is in.
+    let stress = disc / 3.0 / PI * 0.99 * 0.02 * 1e6;
+    assert!(close(value("region:left:stress_11"), stress, 1e-12, stress));
+    assert_eq!(value("stress_11"), value("region:left:stress_11"));
 }

@@ -72,13 +72,15 @@ impl Trial {
         let world = self.session.world();
         let done = world.cycle_number();
         let (cycle, frac, limit) = self.nearest;
-        let first = match self.first.is_finite() {
-            true => format!("{} at the start", figure(self.first)),
-            false => "not known at the start, nothing touches".into(),
+        let first = if self.first.is_finite() {
+            format!("{} at the start", figure(self.first))
+        } else {
+            "not known at the start, nothing touches".into()
         };
-        let later = match limit.is_finite() {
-            true => format!("lowest {} at cycle {cycle}", figure(limit)),
-            false => "nothing touches".into(),
+        let later = if limit.is_finite() {
+            format!("lowest {} at cycle {cycle}", figure(limit))
+        } else {
+            "nothing touches".into()
         };
         let text = format!("{first}; in the first {} {later}", cycles(done));
         report.line("frac limit", text);

@@ -177,7 +177,8 @@ mod tests {
             let (mut polygon, mut round) = (0.0, 0.0);
             for (a, b) in corners.iter().zip(corners.iter().cycle().skip(1)) {
                 polygon += 0.5 * (a[0] * b[1] - a[1] * b[0]);
-                round += ((a[0] - b[0]).powi(2) + (a[1] - b[1]).powi(2)).sqrt();
+                let (dx, dy) = (a[0] - b[0], a[1] - b[1]);
+                round += (dx * dx + dy * dy).sqrt();
             }
             let exact = polygon + round * r + PI * r * r;
             let mut discs: Vec<Disc> = corners.iter().map(|&at| (at, r)).collect();
@@ -202,7 +203,7 @@ mod tests {
                 let reach = |(x, r): &Disc| x[0] * c + x[1] * s + r;
                 let most = discs.iter().max_by(|a, b| reach(a).total_cmp(&reach(b))).unwrap();
                 let slope = most.0[1] * c - most.0[0] * s;
-                twice += (reach(most).powi(2) - slope * slope) * TAU / f64::from(n);
+                twice += (reach(most) * reach(most) - slope * slope) * TAU / f64::from(n);
             }
             // h' jumps by at most 2·3√2 at up to 24 places, each half a step off: 3e-4·24·36/2.
             prop_assert!((area(&discs) - 0.5 * twice).abs() < 0.07, "{} {}", area(&discs), 0.5 * twice);

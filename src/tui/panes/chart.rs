@@ -1,17 +1,297 @@
-//! Pane: chart.
+//! A column of the history over cycles.
+
+use std::ops::Range;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{Pane, PaneId};
 use crate::tui::app::App;
+use crate::tui::dots::{Dots, Ink};
+use crate::tui::look::{Points, Role};
+use crate::tui::scale::{Scale, round_up, short};
+use crate::tui::write;
 
 /// The pane.
 pub const PANE: Pane = Pane {
     name: "chart",
-    summary: "chart",
-    title: |_, _| "chart".into(),
+    summary: "a column over cycles; [ and ] choose another",
+    title,
     draw,
 };
 
-fn draw(_: &App, _: PaneId, _: Rect, _: &mut Buffer) {}
+/// Drawn dotted into the same chart as its first.
+const COMPANIONS: [(&str, &str); 1] = [("sin_phi", "sin_phi_shear")];
+
+fn column_name(app: &App, id: PaneId) -> &str {
+    let slot = match id {
+        PaneId::Chart(slot) => slot,
+        _ => 0,
+    };
+    app.charts.get(slot).map_or("", String::as_str)
+}
+
+fn companion(app: &App, name: &str) -> Option<usize> {
+    let (_, second) = COMPANIONS.iter().find(|(first, _)| *first == name)?;
+    app.series.position(second)
+}
+
+fn newest(app: &App, column: usize) -> f64 {
+    let row = app.series.rows().last();
+    row.and_then(|row| row.values.get(column).copied())
+        .unwrap_or(f64::NAN)
+}
+
+fn title(app: &App, id: PaneId) -> String {
+    let name = column_name(app, id);
+    let Some(column) = app.series.position(name) else {
+        return if name.is_empty() { "chart" } else { name }.to_owned();
+    };
+    let card = app.series.columns[column].card();
+    let mut text = format!("{name} [{}] {}", card.unit, short(newest(app, column)));
+    match companion(app, name) {
+        Some(second) => text.push_str(&format!(", dotted: shear {}", short(newest(app, second)))),
+        None => text.push_str(&format!("  {}", card.summary)),
+    }
+    text
+}
+
+fn draw(app: &App, id: PaneId, area: Rect, buffer: &mut Buffer) {
+    let name = column_name(app, id);
+    let say = |text: &str, buffer: &mut Buffer| {
+        for (row, line) in write::wrapped(text, usize::from(area.width))
+            .iter()
+            .enumerate()
+        {
+            write::at(
+                &app.look,
+                (area, buffer),
+                (0, row as u16),
+                line,
+                Role::Label,
+            );
+        }
+    };
+    let Some(column) = app.series.position(name) else {
+        return say("not recorded; [ and ] choose another column", buffer);
+    };
+    let every = app.frame.as_ref().map_or(0, |frame| frame.every);
+    if app.series.rows().is_empty() {
+        return say(&format!("no rows yet, one every {every} cycles"), buffer);
+    }
+    let second = companion(app, name);
+    let Some((low, high)) = extent(app, column, second) else {
+        return say("undefined in every row so far", buffer);
+    };
+    let scale = Scale::over(low, high, usize::from(area.height / 3).clamp(1, 8));
+    let labels = scale.ticks();
+    let widest = labels
+        .iter()
+        .map(|(_, label)| label.len())
+        .max()
+        .unwrap_or(0) as u16;
+    // The curve has priority over its numbers.
+    let gutter = if area.width >= 3 * (widest + 1) {
+        widest + 1
+    } else {
+        0
+    };
+    let foot = u16::from(area.height >= 4);
+    let body = Rect {
+        x: area.x + gutter,
+        width: area.width - gutter,
+        height: area.height - foot,
+        ..area
+    };
+    let span = cycles(app);
+    let mut dots = Dots::new(app.look.points, body.width, body.height);
+    if let Some(second) = second {
+        draw_curve(app, second, &span, &scale, &mut dots, Ink::SecondCurve);
+    }
+    draw_curve(app, column, &span, &scale, &mut dots, Ink::Curve);
+    dots.paint(&app.look, body, buffer);
+    if gutter > 0 {
+        write_labels(app, &scale, &labels, gutter, (area, body, buffer));
+    }
+    if foot > 0 {
+        write_cycles(app, &span, body, buffer);
+    }
+}
+
+/// Smallest and largest value.
+fn extent(app: &App, column: usize, second: Option<usize>) -> Option<(f64, f64)> {
+    let values = [Some(column), second]
+        .into_iter()
+        .flatten()
+        .flat_map(|column| app.series.points(column).map(|(_, value)| value));
+    values.fold(None, |extent, value| {
+        let (low, high) = extent.unwrap_or((value, value));
+        Some((value.min(low), value.max(high)))
+    })
+}
+
+/// Cycles shown: up to a round number, so that the curve does not move with every row.
+pub(super) fn cycles(app: &App) -> Range<f64> {
+    let rows = app.series.rows();
+    let first = rows.first().map_or(0, |row| row.cycle) as f64;
+    let last = rows.last().map_or(0, |row| row.cycle) as f64;
+    // A run taken up again late does not leave its chart empty on the left.
+    let start = if 2.0 * first < last || first < 1.0 {
+        0.0
+    } else {
+        let step = round_up(last - first);
+        (first / step).floor() * step
+    };
+    start..start + round_up((last - start).max(1.0))
+}
+
+/// What is seen of a curve in one column of dots.
+struct Sweep {
+    x: i64,
+    first: i64,
+    last: i64,
+    low: i64,
+    high: i64,
+}
+
+/// Draws smallest to largest value per column of dots, and joins the columns. Rows without a value
+/// interrupt the curve.
+fn draw_curve(
+    app: &App,
+    column: usize,
+    span: &Range<f64>,
+    scale: &Scale,
+    dots: &mut Dots,
+    ink: Ink,
+) {
+    let [across, down] = dots.size().map(|n| n as f64 - 1.0);
+    let mut sweep: Option<Sweep> = None;
+    for row in app.series.rows() {
+        let value = row.values.get(column).copied().unwrap_or(f64::NAN);
+        if !value.is_finite() {
+            if let Some(done) = sweep.take() {
+                finish(&done, None, dots, ink);
+            }
+            continue;
+        }
+        let share = (row.cycle as f64 - span.start) / (span.end - span.start);
+        let x = (share.clamp(0.0, 1.0) * across).round() as i64;
+        let y = ((1.0 - scale.place(value)).clamp(0.0, 1.0) * down).round() as i64;
+        match &mut sweep {
+            Some(now) if now.x == x => {
+                now.last = y;
+                now.low = now.low.min(y);
+                now.high = now.high.max(y);
+            }
+            _ => {
+                if let Some(done) = sweep.take() {
+                    finish(&done, Some((x, y)), dots, ink);
+                }
+                sweep = Some(Sweep {
+                    x,
+                    first: y,
+                    last: y,
+                    low: y,
+                    high: y,
+                });
+            }
+        }
+    }
+    if let Some(done) = sweep {
+        finish(&done, None, dots, ink);
+    }
+}
+
+/// Draws a column, and the line to the next.
+fn finish(sweep: &Sweep, next: Option<(i64, i64)>, dots: &mut Dots, ink: Ink) {
+    let dotted = ink == Ink::SecondCurve;
+    let mut dot = |x: i64, y: i64| {
+        if !dotted || x % 3 == 0 {
+            dots.dot(x, y, ink);
+        }
+    };
+    debug_assert!((sweep.low..=sweep.high).contains(&sweep.first));
+    for y in sweep.low..=sweep.high {
+        dot(sweep.x, y);
+    }
+    let Some((x, y)) = next else { return };
+    let (dx, dy) = (x - sweep.x, y - sweep.last);
+    let steps = dx.abs().max(dy.abs()).max(1);
+    for k in 1..steps {
+        dot(sweep.x + dx * k / steps, sweep.last + dy * k / steps);
+    }
+}
+
+/// Numbers at the left.
+fn write_labels(
+    app: &App,
+    scale: &Scale,
+    labels: &[(f64, String)],
+    gutter: u16,
+    (area, body, buffer): (Rect, Rect, &mut Buffer),
+) {
+    let rows = f64::from(body.height.max(1) - 1);
+    for (value, label) in labels {
+        let row = ((1.0 - scale.place(*value)) * rows).round() as u16;
+        let column = (gutter - 1).saturating_sub(label.len() as u16);
+        write::at(
+            &app.look,
+            (area, &mut *buffer),
+            (column, row),
+            label,
+            Role::Label,
+        );
+    }
+    let bar = if app.look.points == Points::Ascii {
+        "|"
+    } else {
+        "│"
+    };
+    for row in 0..body.height {
+        write::at(
+            &app.look,
+            (area, &mut *buffer),
+            (gutter - 1, row),
+            bar,
+            Role::Frame,
+        );
+    }
+}
+
+/// Cycles below: both ends and the middle.
+fn write_cycles(app: &App, span: &Range<f64>, body: Rect, buffer: &mut Buffer) {
+    let line = Rect {
+        y: body.bottom(),
+        height: 1,
+        ..body
+    };
+    let middle = 0.5 * (span.start + span.end);
+    let texts = [span.start, middle, span.end].map(grouped);
+    let width = usize::from(body.width);
+    let last = format!("{} cycles", texts[2]);
+    if width >= texts[0].len() + last.len() + 2 {
+        write::at(
+            &app.look,
+            (line, &mut *buffer),
+            (0, 0),
+            &texts[0],
+            Role::Label,
+        );
+    }
+    if width >= texts[0].len() + texts[1].len() + last.len() + 12 {
+        let column = (width / 2 - texts[1].len() / 2) as u16;
+        write::at(
+            &app.look,
+            (line, &mut *buffer),
+            (column, 0),
+            &texts[1],
+            Role::Label,
+        );
+    }
+    let column = width.saturating_sub(last.len()) as u16;
+    write::at(&app.look, (line, buffer), (column, 0), &last, Role::Label);
+}
+
+fn grouped(cycle: f64) -> String {
+    super::status::grouped(cycle.round().max(0.0) as u64)
+}

@@ -8,6 +8,7 @@ use super::{Pane, PaneId};
 use crate::language::COMMANDS;
 use crate::tui::app::{App, Said};
 use crate::tui::look::Role;
+use crate::tui::write::{self, Lines, wrapped};
 
 /// The pane.
 pub const PANE: Pane = Pane {
@@ -32,42 +33,28 @@ fn styled(app: &App, said: &Said) -> (String, Style) {
     }
 }
 
-/// A text in lines of so many columns.
-pub(super) fn wrapped(text: &str, width: usize) -> Vec<String> {
-    let mut lines = vec![String::new()];
-    let mut column = 0;
-    for c in text.chars().filter(|c| !c.is_control()) {
-        if column == width.max(1) {
-            lines.push(String::new());
-            column = 0;
-        }
-        lines.last_mut().expect("there is a first line").push(c);
-        column += 1;
-    }
-    lines
-}
-
 fn draw(app: &App, _: PaneId, area: Rect, buffer: &mut Buffer) {
     let width = usize::from(area.width);
-    let mut y = area.bottom();
+    let mut row = area.height;
+    if app.dialogue.is_empty() {
+        let text = "nothing said yet; `:` opens the prompt, `help` lists the commands";
+        Lines::new(&app.look, area, buffer).text(text, Role::Label);
+    }
     let end = app.dialogue.len().saturating_sub(app.scrolled);
     for said in app.dialogue[..end].iter().rev() {
         let (text, style) = styled(app, said);
         for line in wrapped(&text, width).iter().rev() {
-            if y == area.y {
+            if row == 0 {
                 return;
             }
-            y -= 1;
-            buffer.set_stringn(area.x, y, line, width, style);
+            row -= 1;
+            write::styled(&app.look, (area, &mut *buffer), (0, row), line, style);
         }
     }
 }
 
 /// Draws the last thing said in one line.
 pub fn last(app: &App, area: Rect, buffer: &mut Buffer) {
-    if area.height == 0 {
-        return;
-    }
     let (text, style) = match app.dialogue.last() {
         Some(said) => styled(app, said),
         None => match &app.frame {
@@ -75,7 +62,7 @@ pub fn last(app: &App, area: Rect, buffer: &mut Buffer) {
             None => return,
         },
     };
-    buffer.set_stringn(area.x, area.y, text, usize::from(area.width), style);
+    write::styled(&app.look, (area, buffer), (0, 0), &text, style);
 }
 
 /// Draws the prompt; answers where the cursor stands.
@@ -83,37 +70,42 @@ pub fn prompt(app: &App, area: Rect, buffer: &mut Buffer) -> Option<(u16, u16)> 
     if area.is_empty() {
         return None;
     }
-    let width = usize::from(area.width);
     if !app.prompt.open {
-        let text = match &app.frame {
-            Some(frame) => format!("> press : and type a command ({})", frame.title),
-            None => "> ".into(),
-        };
-        buffer.set_stringn(area.x, area.y, text, width, app.look.style(Role::Label));
+        write::at(
+            &app.look,
+            (area, buffer),
+            (0, 0),
+            invitation(app),
+            Role::Label,
+        );
         return None;
     }
+    let width = usize::from(area.width);
     let text = app.prompt.text();
+    // Long lines move to the left, so that the cursor stays in sight.
     let shift = (app.prompt.cursor() + 3).saturating_sub(width);
     let visible: String = text.chars().skip(shift).collect();
-    buffer.set_stringn(
-        area.x,
-        area.y,
-        format!("> {visible}"),
-        width,
-        app.look.style(Role::Value),
-    );
-    let used = 2 + visible.chars().count() + 2;
-    if used < width {
-        let hint = if app.prompt.candidates.is_empty() {
-            usage(text)
-        } else {
-            app.prompt.candidates.join("  ")
-        };
-        let style = app.look.style(Role::Frame);
-        buffer.set_stringn(area.x + used as u16, area.y, hint, width - used, style);
-    }
+    let line = format!("> {visible}");
+    let end = write::at(&app.look, (area, &mut *buffer), (0, 0), &line, Role::Value);
+    let hint = if app.prompt.candidates.is_empty() {
+        usage(text)
+    } else {
+        app.prompt.candidates.join("  ")
+    };
+    write::at(&app.look, (area, buffer), (end + 2, 0), &hint, Role::Frame);
     let x = area.x + (2 + app.prompt.cursor() - shift) as u16;
     Some((x.min(area.right() - 1), area.y))
+}
+
+/// What the closed prompt says.
+fn invitation(app: &App) -> &'static str {
+    match &app.frame {
+        None => "> ",
+        Some(frame) if app.failure.is_some() || frame.finished => {
+            "> : types a command, e exports the history, b lists presets"
+        }
+        Some(_) => "> : types a command, ? helps",
+    }
 }
 
 /// Usage of the command being typed.

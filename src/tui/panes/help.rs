@@ -2,41 +2,169 @@
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-use ratatui::widgets::{Block, Clear, Paragraph, Widget};
+use ratatui::widgets::{Block, Clear, Widget};
 
+use super::PANES;
+use crate::language::COMMANDS;
 use crate::tui::app::App;
 use crate::tui::keys::KEYS;
+use crate::tui::look::Role;
+use crate::tui::write::{self, Lines};
 
-/// Draws help from a line on.
-pub fn draw(app: &App, from: u16, area: Rect, buffer: &mut Buffer) {
-    let mut text = String::new();
-    for key in KEYS {
-        text.push_str(&format!("{:8} {}\n", key.label, key.help));
+/// Below this width keys stand in one column.
+const TWO_COLUMNS: u16 = 92;
+
+/// Words that only the screen understands.
+const WORDS: [(&str, &str); 4] = [
+    ("load PRESET", "start a preset that is part of the program"),
+    ("pace N | max", "cycles per second aimed at"),
+    ("set kbps N", "bytes the screen may use, in kB/s"),
+    ("q, q!", "quit; q! does not ask"),
+];
+
+/// A line of help.
+type Line = (String, Role);
+
+/// Everything there is to say, for a page so many columns wide.
+fn page(app: &App, width: u16) -> Vec<Line> {
+    let mut page = Vec::new();
+    let heading = |page: &mut Vec<Line>, text: &str| {
+        if !page.is_empty() {
+            page.push((String::new(), Role::Label));
+        }
+        page.push((text.to_owned(), Role::Value));
+    };
+    heading(&mut page, "KEYS");
+    page.extend(keys(width));
+    heading(
+        &mut page,
+        "COMMANDS, after `:`; `help NAME` explains one; Tab completes; words may be shortened",
+    );
+    let cards = COMMANDS.iter().map(|card| (card.name, card.summary));
+    page.extend(table(cards, 10, width));
+    heading(&mut page, "WORDS OF THE SCREEN, after `:` as well");
+    page.extend(table(WORDS.into_iter(), 13, width));
+    heading(&mut page, "PANES, numbered on the screen; z enlarges one");
+    page.extend(table(
+        PANES.iter().map(|(_, pane)| (pane.name, pane.summary)),
+        14,
+        width,
+    ));
+    heading(&mut page, "GOOD TO KNOW");
+    let folder = if app.folder.is_empty() {
+        "The run keeps no files of its own.".to_owned()
+    } else {
+        format!(
+            "The journal and the last state of the run are kept in {}",
+            app.folder
+        )
+    };
+    let notes = [
+        folder.as_str(),
+        "Every command is in the journal with its cycle; `ballast run` on it repeats the run bit \
+         for bit.",
+        "Ctrl-Z stops the program and the run with it; `fg` in the shell goes on.",
+        "Over a slow line: `set kbps 20`, or fewer frames with <. What the line cannot carry is \
+         left out, never queued.",
+    ];
+    for note in notes {
+        let lines = write::wrapped(note, usize::from(width));
+        page.extend(lines.into_iter().map(|line| (line, Role::Label)));
     }
+    page
+}
+
+/// Keys with what they do, in two columns if there is room.
+fn keys(width: u16) -> Vec<Line> {
+    let texts: Vec<String> = KEYS
+        .iter()
+        .map(|key| format!("{:8} {}", key.label, key.help))
+        .collect();
+    if width < TWO_COLUMNS {
+        return texts.into_iter().map(|text| (text, Role::Label)).collect();
+    }
+    let column = usize::from(width / 2);
+    let half = texts.len().div_ceil(2);
+    (0..half)
+        .map(|k| {
+            let right = texts.get(half + k).map_or("", String::as_str);
+            (format!("{:column$}{right}", texts[k]), Role::Label)
+        })
+        .collect()
+}
+
+/// Names and what they mean; long meanings go on in the next line.
+fn table<'a>(
+    rows: impl Iterator<Item = (&'a str, &'a str)>,
+    names: usize,
+    width: u16,
+) -> Vec<Line> {
+    let room = usize::from(width).saturating_sub(names + 1);
+    let mut lines = Vec::new();
+    for (name, meaning) in rows {
+        for (k, part) in write::wrapped(meaning, room).iter().enumerate() {
+            let name = if k == 0 { name } else { "" };
+            lines.push((format!("{name:names$} {part}"), Role::Label));
+        }
+    }
+    lines
+}
+
+/// Draws help from a line on; answers the line it really began with, the last page's at most.
+pub fn draw(app: &App, from: u16, area: Rect, buffer: &mut Buffer) -> u16 {
+    let area = area.intersection(buffer.area);
+    let inner = Block::bordered().inner(area);
+    let page = page(app, inner.width);
+    let most = page.len().saturating_sub(usize::from(inner.height));
+    let from = usize::from(from).min(most);
+    let last = (from + usize::from(inner.height)).min(page.len());
+    let position = if most == 0 {
+        "Esc closes".to_owned()
+    } else {
+        format!(
+            "lines {} to {last} of {}; j k PgDn PgUp, Esc closes",
+            from + 1,
+            page.len()
+        )
+    };
+    frame(app, &format!(" help  {position} "), area, buffer);
+    let mut lines = Lines::new(&app.look, inner, buffer);
+    for (text, role) in &page[from..last] {
+        lines.line(text, *role);
+    }
+    from as u16
+}
+
+/// An empty box with a title.
+pub(super) fn frame(app: &App, title: &str, area: Rect, buffer: &mut Buffer) {
     Clear.render(area, buffer);
-    let block = Block::bordered()
+    Block::bordered()
         .border_set(app.border())
-        .title(" help, Esc closes ");
-    Paragraph::new(text)
-        .scroll((from, 0))
-        .block(block)
+        .border_style(app.look.style(Role::Focus))
+        .title(write::shown(&app.look, title))
         .render(area, buffer);
 }
 
 /// Asks before unsaved cycles are left.
 pub fn ask(app: &App, area: Rect, buffer: &mut Buffer) {
-    let text = "cycles are not exported; q quits all the same, Esc stays";
-    let width = (text.len() as u16 + 4).min(area.width);
-    let height = 3.min(area.height);
-    let x = area.x + (area.width - width) / 2;
-    let y = area.y + (area.height - height) / 2;
+    let area = area.intersection(buffer.area);
+    let cycles = app.frame.as_ref().map_or(0, |frame| frame.cycle);
+    let text = format!(
+        "{} cycles are not exported. q quits all the same, Esc stays; then e exports.",
+        super::status::grouped(cycles.saturating_sub(app.kept_cycle))
+    );
+    let width = (text.len() as u16 + 2).min(area.width);
+    let room = usize::from(width.saturating_sub(2));
+    let height = (write::wrapped(&text, room).len() as u16 + 2).min(area.height);
     let place = Rect {
-        x,
-        y,
+        x: area.x + (area.width - width) / 2,
+        y: area.y + (area.height - height) / 2,
         width,
         height,
     };
-    Clear.render(place, buffer);
-    let block = Block::bordered().border_set(app.border()).title(" quit? ");
-    Paragraph::new(text).block(block).render(place, buffer);
+    frame(app, " quit? ", place, buffer);
+    let inner = Block::bordered().inner(place);
+    // A box too small for its border and the question shows the question.
+    let inner = if inner.is_empty() { place } else { inner };
+    Lines::new(&app.look, inner, buffer).text(&text, Role::Warning);
 }

@@ -17,6 +17,7 @@ use ratatui::widgets::{Block, Widget};
 
 use super::app::App;
 use super::look::Role;
+use super::write;
 
 /// Which pane.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -78,6 +79,7 @@ pub fn draw(app: &App, id: PaneId, number: usize, area: Rect, buffer: &mut Buffe
     let focused = app.focus == number;
     let role = if focused { Role::Focus } else { Role::Frame };
     let title = format!(" {} {} ", number + 1, (pane.title)(app, id));
+    let title = write::shown(&app.look, &title);
     let block = Block::bordered()
         .border_set(app.border())
         .border_style(app.look.style(role))

@@ -1,17 +1,112 @@
-//! Pane: monitor.
+//! Whether the time step is small enough: FRACC, the stability bound, warnings.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{Pane, PaneId};
+use crate::session::frames::Frame;
 use crate::tui::app::App;
+use crate::tui::look::Role;
+use crate::tui::scale::short;
+use crate::tui::write::{self, Lines};
 
 /// The pane.
 pub const PANE: Pane = Pane {
-    name: "monitor",
-    summary: "monitor",
-    title: |_, _| "monitor".into(),
+    name: "step monitor",
+    summary: "FRACC and FRAC against their limits, time step, warnings; w marks them as seen",
+    title: |app, _| match app.unseen {
+        0 => "step monitor".into(),
+        new => format!("step monitor, warnings: {new} new"),
+    },
     draw,
 };
 
-fn draw(_: &App, _: PaneId, _: Rect, _: &mut Buffer) {}
+/// FRACC above this is a warning.
+const FRACC_LIMIT: f64 = 0.3;
+
+fn draw(app: &App, _: PaneId, area: Rect, buffer: &mut Buffer) {
+    let mut lines = Lines::new(&app.look, area, buffer);
+    if let Some(failure) = &app.failure {
+        lines.text(&format!("FAILED: {failure}"), Role::Failure);
+    }
+    let Some(frame) = &app.frame else {
+        return;
+    };
+    for gauge in gauges(frame) {
+        gauge.write(app, area.width, &mut lines);
+    }
+    let step = format!("{} s", short(frame.dt));
+    lines.parts(&[("time step  ", Role::Label), (&step, Role::Value)]);
+    if app.warnings.is_empty() {
+        lines.line("no warnings", Role::Label);
+    }
+    let newest_first = app.warnings.iter().rev().enumerate();
+    for (k, warning) in newest_first.take(usize::from(lines.left())) {
+        let (mark, role) = if k < app.unseen {
+            ("! ", Role::Warning)
+        } else {
+            ("  ", Role::Label)
+        };
+        let cycle = super::status::grouped(warning.cycle);
+        let disc = match warning.particle {
+            Some(id) if !warning.text.contains("disc") => format!(" disc {id}"),
+            _ => String::new(),
+        };
+        let text = format!("{mark}{cycle}{disc} {}", warning.text);
+        lines.line(&text, role);
+    }
+}
+
+/// A value against its limit.
+struct Gauge {
+    name: &'static str,
+    value: f64,
+    limit: f64,
+}
+
+fn gauges(frame: &Frame) -> [Gauge; 2] {
+    [
+        Gauge {
+            name: "FRACC",
+            value: frame.fracc.largest.unwrap_or(f64::NAN),
+            limit: FRACC_LIMIT,
+        },
+        Gauge {
+            name: "FRAC ",
+            value: frame.frac,
+            limit: frame.frac_limit,
+        },
+    ]
+}
+
+impl Gauge {
+    fn write(&self, app: &App, width: u16, lines: &mut Lines<'_>) {
+        let over = self.value > self.limit;
+        let number = if self.value.is_nan() {
+            "none since the last row".to_owned()
+        } else if self.limit.is_finite() {
+            format!("{:.3} of {}", self.value, short(self.limit))
+        } else {
+            format!("{:.3}, no limit without contacts", self.value)
+        };
+        let verdict = if over { " TOO LARGE" } else { "" };
+        let role = if over { Role::Warning } else { Role::Value };
+        let used = self.name.len() + number.len() + verdict.len() + 3;
+        let room = usize::from(width).saturating_sub(used).min(24);
+        let bar = if room >= 4 && self.value.is_finite() && self.limit.is_finite() {
+            format!(
+                "{} ",
+                write::gauge(&app.look, self.value / self.limit, room)
+            )
+        } else {
+            String::new()
+        };
+        lines.parts(&[
+            (self.name, Role::Label),
+            (" ", Role::Label),
+            (&bar, role),
+            (&number, role),
+            (verdict, Role::Failure),
+        ]);
+    }
+}

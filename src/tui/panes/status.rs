@@ -4,9 +4,11 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 
+use crate::session::frames::Frame;
 use crate::tui::app::App;
 use crate::tui::keys::KEYS;
 use crate::tui::look::Role;
+use crate::tui::write;
 
 /// A count with thin groups of three digits.
 pub fn grouped(n: u64) -> String {
@@ -30,9 +32,20 @@ fn rate(value: f64, unit: &str) -> String {
     }
 }
 
+/// Time to go, coarser the longer it is, so that it does not change with every frame.
+fn time_left(seconds: f64) -> String {
+    match seconds {
+        s if !s.is_finite() => "unknown".into(),
+        s if s < 60.0 => format!("{s:.0} s"),
+        s if s < 3600.0 => format!("{:.0} min", s / 60.0),
+        s if s < 1e6 => format!("{:.1} h", s / 3600.0),
+        s => format!("{:.0} days", s / 86400.0),
+    }
+}
+
 /// Parts of the status line, most important first; those that do not fit are left out.
-fn parts(app: &App) -> Vec<(String, Style)> {
-    let plain = Style::new();
+fn parts(app: &App) -> Vec<(String, Role)> {
+    let plain = Role::Label;
     let Some(frame) = &app.frame else {
         return vec![("starting ...".into(), plain)];
     };
@@ -42,76 +55,99 @@ fn parts(app: &App) -> Vec<(String, Style)> {
         (None, false, true) => ("DONE", Role::Paused),
         (None, false, false) => ("PAUSED", Role::Paused),
     };
-    let mut parts = vec![(word.to_owned(), app.look.style(role))];
+    let mut parts = vec![(word.to_owned(), role)];
+    parts.push((format!("cycle {}", grouped(frame.cycle)), Role::Value));
+    parts.extend(progress(frame).map(|text| (text, plain)));
+    if app.unseen > 0 {
+        parts.push((format!("W:{}", app.unseen), Role::Warning));
+    }
     let (stage, stages) = frame.stages;
     if stages > 0 {
-        parts.push((format!("{} {stage}/{stages}", frame.stage), plain));
+        parts.push((format!("stage {} {stage}/{stages}", frame.stage), plain));
     }
-    parts.push((format!("cycle {}", grouped(frame.cycle)), plain));
-    if !frame.finished
-        && let (done, Some(length)) = frame.stage_cycles
-        && length > 0
-    {
-        let mut text = format!("{:.0} %", 100.0 * done as f64 / length as f64);
-        if frame.running && frame.rate > 0.0 {
-            let seconds = length.saturating_sub(done) as f64 / frame.rate;
-            if seconds >= 1.0 {
-                text.push_str(&format!(
-                    " eta {:.0}m{:02.0}",
-                    (seconds / 60.0).floor(),
-                    seconds % 60.0
-                ));
-            }
-        }
-        parts.push((text, plain));
-    }
-    if frame.running {
-        let pace = if app.pace.is_some() { " (paced)" } else { "" };
+    if let (false, Some(failure)) = (frame.running, &app.failure) {
+        parts.push((failure.clone(), Role::Failure));
+    } else if frame.running {
+        let pace = if app.pace.is_some() { " paced" } else { "" };
         parts.push((format!("{}{pace}", rate(frame.rate, "cyc/s")), plain));
+    } else if frame.finished {
+        parts.push(("e exports, : goes on by hand, b presets".into(), plain));
+    } else {
+        parts.push(("space runs".into(), plain));
     }
-    if app.unseen > 0 {
-        parts.push((format!("W:{}", app.unseen), app.look.style(Role::Warning)));
+    if frame.assembly.unbalanced.is_finite() {
+        parts.push((
+            format!("unbalanced {:.1e}", frame.assembly.unbalanced),
+            plain,
+        ));
     }
-    parts.push((format!("unb {:.1e}", frame.assembly.unbalanced), plain));
+    parts.push((frame.preset.clone(), plain));
     let (bytes, fps) = app.link.measured;
     parts.push((format!("{fps:.0} fps {}", rate(bytes, "B/s")), plain));
     parts
 }
 
+/// How much of the stage is done, and how long the rest takes.
+fn progress(frame: &Frame) -> Option<String> {
+    let (done, length) = (frame.stage_cycles.0, frame.stage_cycles.1?);
+    if length == 0 || frame.finished {
+        return None;
+    }
+    let mut text = format!("{:.0} %", 100.0 * done as f64 / length as f64);
+    if frame.running && frame.rate > 0.0 {
+        let seconds = length.saturating_sub(done) as f64 / frame.rate;
+        if seconds >= 1.0 {
+            text.push_str(&format!(" eta {}", time_left(seconds)));
+        }
+    }
+    Some(text)
+}
+
 /// Draws the status line.
 pub fn draw(app: &App, area: Rect, buffer: &mut Buffer) {
-    let mut x = area.x;
-    for (text, style) in parts(app) {
-        let width = text.chars().count() as u16;
-        if area.height == 0 || x + width > area.right() {
+    let mut column = 0;
+    for (text, role) in parts(app) {
+        let width = text.chars().count();
+        // The first is cut rather than left out.
+        if column > 0 && usize::from(column) + width > usize::from(area.width) {
             break;
         }
-        buffer.set_string(x, area.y, &text, style);
-        x += width + 2;
+        let on = (area, &mut *buffer);
+        column = write::at(&app.look, on, (column, 0), &text, role).saturating_add(2);
     }
 }
 
+/// Hints while a line is typed.
+const TYPING: [(&str, &str); 5] = [
+    ("Enter", "execute"),
+    ("Tab", "complete"),
+    ("Up", "line before"),
+    ("Esc", "leave"),
+    ("Ctrl-C", "clear"),
+];
+
 /// Draws the line of hints.
 pub fn hints(app: &App, area: Rect, buffer: &mut Buffer) {
-    if area.height == 0 {
-        return;
-    }
-    let mut x = area.x;
-    for key in KEYS {
-        let Some(hint) = key.hint else { continue };
-        let width = (key.label.len() + 1 + hint.len() + 2) as u16;
-        if x + width > area.right() {
+    let back = app.zoomed.map(|_| ("Esc", "all panes"));
+    let usual = KEYS
+        .iter()
+        .filter_map(|key| key.hint.map(|hint| (key.label, hint)));
+    let hints: Vec<(&str, &str)> = if app.prompt.open {
+        TYPING.to_vec()
+    } else {
+        back.into_iter().chain(usual).collect()
+    };
+    let mut column = 0;
+    for (label, hint) in hints {
+        let width = label.len() + 1 + hint.len();
+        if usize::from(column) + width > usize::from(area.width) {
             break;
         }
-        buffer.set_string(
-            x,
-            area.y,
-            key.label,
-            Style::new().add_modifier(Modifier::BOLD),
-        );
-        let label = app.look.style(Role::Label);
-        buffer.set_string(x + key.label.len() as u16 + 1, area.y, hint, label);
-        x += width;
+        let bold = Style::new().add_modifier(Modifier::BOLD);
+        let on = (area, &mut *buffer);
+        let end = write::styled(&app.look, on, (column, 0), label, bold);
+        let on = (area, &mut *buffer);
+        column = write::at(&app.look, on, (end + 1, 0), hint, Role::Label) + 2;
     }
 }
 

@@ -1,0 +1,226 @@
+//! A screen made by hand: seven discs on a floor between two walls, a history, warnings.
+
+use std::sync::Arc;
+
+use ballast::engine::ledger::{Bookings, Energies};
+use ballast::engine::world::FraccMonitor;
+use ballast::measure::assembly::Assembly;
+use ballast::measure::columns::Column;
+use ballast::measure::frame::{Disc, Picture, Stroke, Touch};
+use ballast::session::frames::{ChartRow, Frame};
+use ballast::tui::app::{App, Said};
+use ballast::tui::link::{Line, Link};
+use ballast::tui::look::{Chains, Look, Points, Theme};
+
+/// Usual settings.
+pub(crate) const LOOK: Look = Look {
+    theme: Theme::Colour,
+    points: Points::Braille,
+    chains: Chains::Force,
+    discs: true,
+    velocities: false,
+};
+
+const COLUMNS: [&str; 8] = [
+    "fracc",
+    "contacts",
+    "coordination",
+    "unbalanced",
+    "kinetic",
+    "max_force",
+    "wall:floor:f2",
+    "sliding_fraction",
+];
+
+/// A screen without a frame.
+pub(crate) fn empty(look: Look) -> App {
+    let line = Line {
+        budget: None,
+        fps: 10.0,
+    };
+    App::new(look, Link::new(line))
+}
+
+/// A screen in the middle of a run.
+pub(crate) fn app(look: Look) -> App {
+    let mut app = empty(look);
+    app.folder = "/home/someone/.local/state/ballast/runs/0001".into();
+    let mut before = frame();
+    before.fracc.warnings = 0;
+    app.take_frame(Box::new(before));
+    let mut now = frame();
+    now.restarted = false;
+    now.rows.clear();
+    app.take_frame(Box::new(now));
+    for said in [
+        Said::Line("friction 0.3".into()),
+        Said::Answer("friction of disc is 0.3".into()),
+        Said::Line("frictoin 0.2".into()),
+        Said::Error("`frictoin` is no command; did you mean `friction`?".into()),
+        Said::Notice("stage settle ended after max_cycles = 4000".into()),
+    ] {
+        app.say(said);
+    }
+    app
+}
+
+/// The frame.
+pub(crate) fn frame() -> Frame {
+    let columns = COLUMNS.map(|name| Column::parse(name).unwrap());
+    Frame {
+        serial: 1,
+        title: "Seven discs settle".into(),
+        preset: "seven-discs".into(),
+        cycle: 14_820,
+        time: 0.1482,
+        dt: 1e-5,
+        frac: 0.1,
+        frac_limit: 0.417,
+        stage: "settle".into(),
+        stages: (2, 3),
+        stage_cycles: (3_700, Some(10_000)),
+        finished: false,
+        running: true,
+        rate: 12_300.0,
+        assembly: Assembly {
+            contacts: 13,
+            coordination: 3.5,
+            coordination_mechanical: 3.7,
+            sliding_fraction: 0.071,
+            mean_force: 12.5,
+            max_force: 48.0,
+            unbalanced: 1.2e-3,
+            unbalanced_max: 4.0e-3,
+        },
+        fracc: FraccMonitor {
+            largest: Some(0.214),
+            warnings: 3,
+            last: Some((14_311, 5, 0.347)),
+            worst: Some((14_200, 6, 0.391)),
+        },
+        picture: picture(),
+        energies: Some(Energies {
+            kinetic: 0.012,
+            rotational: 0.0,
+            elastic_normal: 0.31,
+            elastic_tangential: 0.04,
+            potential: -2.4,
+            transit: 0.0,
+        }),
+        bookings: Some(Bookings {
+            friction_loss: 0.7,
+            damping_loss: 0.95,
+            global_loss: 0.0,
+            boundary_work: -0.39,
+            energy_error: 2.1e-13,
+        }),
+        columns: columns.to_vec().into(),
+        rows: (0..=148).map(row).collect(),
+        restarted: true,
+        friction: vec![("disc".into(), 0.3)],
+        every: 100,
+        known: Arc::default(),
+    }
+}
+
+/// Row k of the history. Without contacts at first, so that quotients are undefined.
+fn row(k: u64) -> ChartRow {
+    let t = k as f64 / 148.0;
+    let settled = |value: f64| if k < 20 { f64::NAN } else { value };
+    let swing = if k % 12 < 6 { 0.3 } else { -0.3 } * (1.0 - t);
+    ChartRow {
+        cycle: 100 * k,
+        time: 1e-3 * k as f64,
+        stage: u32::from(k > 110),
+        values: vec![
+            0.2 + 0.1 * swing,
+            (13.0 * t).round(),
+            3.5 * t,
+            settled(1.0 / (1.0 + 800.0 * t * t)),
+            2.4 * t * (1.0 - t) * (1.0 + swing),
+            48.0 * t,
+            -86.3 * t * (1.0 + 0.2 * swing),
+            settled(0.071),
+        ],
+    }
+}
+
+/// Seven discs of radius 0.1 m: three below, two on them, a driven one at the side, one that falls.
+fn picture() -> Picture {
+    let places = [
+        [0.1, 0.1],
+        [0.3, 0.1],
+        [0.5, 0.1],
+        [0.2, 0.273],
+        [0.4, 0.273],
+        [0.6, 0.273],
+        [0.32, 0.55],
+    ];
+    let discs: Vec<Disc> = places
+        .iter()
+        .zip(1..)
+        .map(|(&at, id)| Disc {
+            id,
+            at,
+            radius: 0.1,
+            velocity: if id == 7 { [0.1, -0.8] } else { [0.0, -0.01] },
+            spin: 0.0,
+            angle: if id == 7 { 0.6 } else { 0.0 },
+            material: 0,
+            driven: id == 6,
+        })
+        .collect();
+    let pairs: [(usize, usize, f64); 7] = [
+        (1, 2, 2.0),
+        (2, 3, 4.0),
+        (1, 4, 8.0),
+        (2, 4, 15.0),
+        (2, 5, 31.0),
+        (3, 5, 14.0),
+        (4, 5, 1.0),
+    ];
+    let mut touches: Vec<Touch> = pairs
+        .iter()
+        .map(|&(first, second, n)| {
+            let (from, to) = (places[first - 1], places[second - 1]);
+            let branch = [to[0] - from[0], to[1] - from[1]];
+            let distance = (branch[0] * branch[0] + branch[1] * branch[1]).sqrt();
+            Touch {
+                ends: [from, to],
+                length: 0.2,
+                normal: branch.map(|d| d / distance),
+                n,
+                t: 0.2 * n,
+                sliding: n < 2.0,
+                first: first as u32,
+                second: Some(second as u32),
+            }
+        })
+        .collect();
+    for (first, n) in [(1, 12.0), (2, 48.0), (3, 16.0)] {
+        let from = places[first - 1];
+        touches.push(Touch {
+            ends: [from, [from[0], 0.0]],
+            length: 0.1,
+            normal: [0.0, -1.0],
+            n,
+            t: 0.0,
+            sliding: false,
+            first: first as u32,
+            second: None,
+        });
+    }
+    let wall = |name: &str, ends| Stroke {
+        name: name.into(),
+        ends,
+    };
+    Picture {
+        discs,
+        touches,
+        walls: vec![
+            wall("floor", [[0.0, 0.0], [0.8, 0.0]]),
+            wall("left", [[0.0, 0.0], [0.0, 0.7]]),
+        ],
+        bounds: [[0.0, 0.0], [0.8, 0.7]],
+    }
+}
