@@ -4,12 +4,12 @@ use std::fmt::Write;
 
 use super::output::{complain, print};
 use crate::engine::contact::laws::LAWS;
-use crate::language::{COMMANDS, reference_table};
+use crate::language::COMMANDS;
 use crate::measure::columns::{
     COLUMNS, CONTACT_COLUMNS, Card, PARTICLE_COLUMNS, WALL_COLUMNS, nearest,
 };
 use crate::scene::catalogue::{self, PRESETS};
-use crate::scene::{Scene, reference_table as key_table};
+use crate::scene::{Scene, reference_text};
 
 /// Names and titles of the embedded presets.
 pub(super) fn presets() -> u8 {
@@ -88,13 +88,15 @@ pub(super) fn columns() -> u8 {
 /// Console commands, or the page of one.
 pub(super) fn commands(name: Option<&str>) -> u8 {
     let Some(name) = name else {
-        return print(&reference_table());
+        let rows = COMMANDS
+            .iter()
+            .map(|card| format!("{}\n    {}\n", card.usage, card.summary));
+        return print(&rows.collect::<String>());
     };
     match crate::language::list::find(name, 0..name.len()) {
         Ok(card) => print(&card.page()),
-        Err(_) => {
-            let near = nearest(name, COMMANDS.iter().map(|card| card.name));
-            complain(&format!("there is no command {name}; {near}"));
+        Err(mistake) => {
+            complain(&format!("{}; {}", mistake.message, mistake.remedy));
             super::BAD_INPUT
         }
     }
@@ -102,5 +104,5 @@ pub(super) fn commands(name: Option<&str>) -> u8 {
 
 /// Keys of a preset.
 pub(super) fn keys() -> u8 {
-    print(&key_table())
+    print(&reference_text())
 }

@@ -40,7 +40,7 @@ use std::path::{Path, PathBuf};
 pub use about::About;
 pub use expect::{Band, Differs, Expect};
 pub use history::History;
-pub use reference::reference_table;
+pub use reference::{reference_table, reference_text};
 pub use rejection::Rejection;
 pub use stage::Stage;
 

@@ -20,6 +20,43 @@ pub fn reference_table() -> String {
     lines.join("\n")
 }
 
+/// The same as plain text with aligned columns: what `ballast keys` shows.
+pub fn reference_text() -> String {
+    let mut lines = Vec::new();
+    for section in SECTIONS {
+        let required = if section.required { " (required)" } else { "" };
+        let header = section.header("NAME");
+        lines.push(format!("{header}  {}{required}", section.summary));
+        let mut rows = Vec::new();
+        for key in section.keys {
+            push_cells(&mut rows, "", key);
+        }
+        let width = |k: usize| rows.iter().map(|row| row[k].chars().count()).max();
+        let widths = [0, 1, 2].map(|k| width(k).unwrap_or(0));
+        for [name, wanted, absent, summary] in &rows {
+            let [a, b, c] = widths;
+            lines.push(format!("  {name:a$}  {wanted:b$}  {absent:c$}  {summary}"));
+        }
+        lines.push(String::new());
+    }
+    lines.insert(
+        0,
+        "of each key: what stands there, what holds if it is left out, what it means\n".to_owned(),
+    );
+    lines.join("\n")
+}
+
+fn push_cells(rows: &mut Vec<[String; 4]>, within: &str, key: &Key) {
+    let name = format!("{within}{}", key.name);
+    let summary = key.summary.to_owned();
+    rows.push([name.clone(), key.wanted(), key.absent.to_string(), summary]);
+    if let Form::Table(keys) | Form::VectorOrTable(keys) = key.form {
+        for key in keys {
+            push_cells(rows, &format!("{name}."), key);
+        }
+    }
+}
+
 fn push_rows(lines: &mut Vec<String>, within: &str, key: &Key) {
     let name = format!("{within}{}", key.name);
     let (wanted, absent) = (cell(&key.wanted()), cell(&key.absent.to_string()));

@@ -42,9 +42,24 @@ impl Replay {
     /// what the session did is not how this journal begins.
     pub fn rest(journal: &Journal, session: &Session) -> Option<Self> {
         let mut rest = Self::new(journal);
-        let done = &session.journal.events;
-        let events = rest.events.drain(..done.len().min(rest.events.len()));
-        events.eq(done.iter().cloned()).then_some(rest)
+        let typed = |event: &Event| matches!(event.kind, EventKind::Typed(_));
+        let mut done = session.journal.events.as_slice();
+        while let Some(next) = done.iter().position(typed) {
+            let same = rest.events.iter().position(typed)?;
+            if rest.events[same] != done[next] {
+                return None;
+            }
+            rest.events.drain(..=same);
+            done = &done[next + 1..];
+        }
+        // What stages did since then has been done too. Somebody who wrote a journal by hand may
+        // have left it out.
+        for event in done {
+            if rest.events.front() == Some(event) {
+                rest.events.pop_front();
+            }
+        }
+        Some(rest)
     }
 
     /// Cycle of its end, if it came to one.

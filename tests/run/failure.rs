@@ -35,7 +35,7 @@ fn a_reader_that_has_seen_enough_ends_the_run_quietly() {
         let output = shell(folder, &line);
         assert_eq!(said(&output), "", "{words}");
         assert_eq!(text(folder, "status"), "0\n", "{words}");
-        assert_eq!(output.stdout.iter().filter(|b| **b == b'\n').count(), 1);
+        assert_eq!(String::from_utf8_lossy(&output.stdout).lines().count(), 1);
     }
     assert_eq!(names(folder), ["status"]);
 }

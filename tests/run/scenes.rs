@@ -52,7 +52,11 @@ max_cycles = 337
     for k in 0..SIDE * SIDE {
         let (column, row) = ((k % SIDE) as f64, (k / SIDE) as f64);
         // Every other row is shifted, sizes and velocities vary without any generator.
-        let shift = if (k / SIDE) % 2 == 0 { 1e-4 } else { 9e-4 };
+        let shift = if (k / SIDE).is_multiple_of(2) {
+            1e-4
+        } else {
+            9e-4
+        };
         let radius = 0.01 * (1.0 - 0.02 * ((k * 7919) % 13) as f64 / 13.0);
         let (x, y) = (
             0.0105 + 0.021 * column - 4e-4 + shift,

@@ -21,7 +21,7 @@ fn wrong_usage_exits_2_and_leaves_no_file() {
         ("nine-disc-compression --cycles -5", "--cycles"),
         ("nine-disc-compression --cycles 1e3", "--cycles"),
         ("nine-disc-compression --seed x", "--seed"),
-        ("nine-disc-compression --cvs x.csv", "--csv"),
+        ("nine-disc-compression --checkpont x", "--checkpoint"),
         ("nine-disc-compression --csv", "--csv"),
         ("nine-disc-compression two-discs", "two-discs"),
         ("nine-disc-compresion --csv x.csv", "nine-disc-compression"),

@@ -1,0 +1,296 @@
+//! What the program lists about itself is complete, and wrong names are answered with near ones.
+
+mod program;
+
+use std::fs;
+use std::path::Path;
+
+use ballast::engine::contact::laws::LAWS;
+use ballast::language::COMMANDS;
+use ballast::measure::columns::{COLUMNS, CONTACT_COLUMNS, PARTICLE_COLUMNS, WALL_COLUMNS};
+use ballast::scene::catalogue::PRESETS;
+use program::{ballast, said};
+
+/// What is asked of the program besides the workbench.
+const SUBCOMMANDS: [&str; 11] = [
+    "run",
+    "check",
+    "presets",
+    "show",
+    "laws",
+    "columns",
+    "commands",
+    "keys",
+    "verify",
+    "completions",
+    "man",
+];
+
+/// Standard output of a call that succeeds and has nothing to say beside it.
+#[track_caller]
+fn listed(words: &[&str]) -> String {
+    let output = ballast(Path::new("."), words);
+    assert_eq!(
+        output.status.code(),
+        Some(0),
+        "{words:?}: {}",
+        said(&output)
+    );
+    assert_eq!(said(&output), "", "{words:?}");
+    let text = String::from_utf8(output.stdout).expect("it is text");
+    assert!(
+        text.ends_with('\n') && !text.contains('\u{1b}'),
+        "{words:?}"
+    );
+    text
+}
+
+/// The message of a call that is refused.
+#[track_caller]
+fn refused(words: &[&str], hints: &[&str]) {
+    let output = ballast(Path::new("."), words);
+    let said = said(&output);
+    assert_eq!(output.status.code(), Some(2), "{words:?}: {said}");
+    assert!(output.stdout.is_empty(), "{words:?}");
+    for hint in hints {
+        assert!(said.contains(hint), "{words:?}: no `{hint}` in {said}");
+    }
+}
+
+/// Whether a line starts with these words, whatever blanks stand between them.
+fn has_line(text: &str, start: &[&str]) -> bool {
+    let fits = |line: &str| {
+        let mut words = line.split_whitespace();
+        start.iter().all(|word| words.next() == Some(word))
+    };
+    text.lines().any(fits)
+}
+
+#[test]
+fn presets_are_listed_with_their_titles_and_shown_as_they_are() {
+    let list = listed(&["presets"]);
+    assert_eq!(list.lines().count(), PRESETS.len());
+    for preset in PRESETS {
+        let line = list.lines().find(|line| line.starts_with(preset.name));
+        let title = line.expect("it is listed")[preset.name.len()..].trim();
+        assert!(!title.is_empty() && preset.text.contains(title), "{title}");
+        assert_eq!(
+            listed(&["show", preset.name]),
+            preset.text,
+            "{}",
+            preset.name
+        );
+        let file = format!(
+            "{}/presets/{}.toml",
+            env!("CARGO_MANIFEST_DIR"),
+            preset.name
+        );
+        assert_eq!(fs::read_to_string(file).expect("it is there"), preset.text);
+    }
+}
+
+#[test]
+fn a_preset_that_was_shown_and_saved_runs_alike() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let folder = folder.path();
+    for name in [
+        "two-discs",
+        "nine-disc-speed",
+        "rolling-disc",
+        "square-lattice",
+    ] {
+        fs::write(folder.join("mine.toml"), listed(&["show", name])).expect("it can be written");
+        let run = |preset: &str| {
+            let output = ballast(folder, &["run", preset, "--csv", "-", "--cycles", "500"]);
+            assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+            output.stdout
+        };
+        assert!(run(name) == run("mine.toml"), "{name}");
+        let check = ballast(folder, &["check", "mine.toml"]);
+        assert_eq!(check.status.code(), Some(0), "{}", said(&check));
+    }
+}
+
+#[test]
+fn laws_columns_and_keys_are_complete() {
+    let laws = listed(&["laws"]);
+    for law in LAWS {
+        assert!(
+            laws.contains(&format!("{}: {}", law.name, law.summary)),
+            "{laws}"
+        );
+        for parameter in law.parameters {
+            let unit = format!("[{}]", parameter.unit);
+            assert!(
+                has_line(&laws, &[parameter.key, &unit]),
+                "{}",
+                parameter.key
+            );
+        }
+    }
+    let columns = listed(&["columns"]);
+    for (prefix, list) in [
+        ("", COLUMNS),
+        ("wall:NAME:", WALL_COLUMNS),
+        ("contact:I-J:", CONTACT_COLUMNS),
+        ("particle:I:", PARTICLE_COLUMNS),
+    ] {
+        for card in list {
+            let name = format!("{prefix}{} ", card.name);
+            let line = columns.lines().find(|line| line.starts_with(&name));
+            let line = line.unwrap_or_else(|| panic!("no {name}"));
+            assert!(line.contains(&format!("[{}]", card.unit)), "{line}");
+            assert!(columns.contains(card.summary), "{name}");
+        }
+    }
+    let keys = listed(&["keys"]);
+    for key in [
+        "law",
+        "frac",
+        "normal_stiffness",
+        "max_cycles",
+        "within_rel",
+        "quick",
+        "every",
+    ] {
+        assert!(keys.contains(key), "{key}");
+    }
+}
+
+#[test]
+fn every_command_is_listed_and_has_a_page() {
+    let list = listed(&["commands"]);
+    for card in COMMANDS {
+        let row = format!("{}\n    {}\n", card.usage, card.summary);
+        assert!(list.contains(&row), "{row}");
+        let page = listed(&["commands", card.name]);
+        assert!(
+            page.contains(card.name) && page.lines().count() >= 2,
+            "{page}"
+        );
+        // Words are found by their beginnings, as at the prompt.
+        let upper = card.name.to_uppercase();
+        assert_eq!(listed(&["commands", &upper]), page);
+    }
+}
+
+#[test]
+fn check_tells_what_a_user_wants_to_know() {
+    for preset in PRESETS {
+        let report = listed(&["check", preset.name]);
+        for label in [
+            "modelled:",
+            "not modelled:",
+            "sizes:",
+            "start:",
+            "memory:",
+            "time step:",
+            "frac limit:",
+            "stages:",
+            "length:",
+            "history:",
+            "files:",
+            "expectations:",
+        ] {
+            let lines = report
+                .lines()
+                .filter(|line| line.starts_with(label))
+                .count();
+            assert_eq!(lines, 1, "{}: {label} in\n{report}", preset.name);
+        }
+        assert!(!report.contains("the run fails"), "{report}");
+        assert!(!report.contains("expect instability"), "{report}");
+    }
+    let unstable = listed(&["check", "square-lattice", "--set", "model.frac=0.3"]);
+    assert!(
+        unstable.contains("frac = 0.3 is above the limit 0.25"),
+        "{unstable}"
+    );
+    let fails = listed(&["check", "nine-disc-compression", "--set", "model.frac=5"]);
+    assert!(
+        fails.contains("the run fails: cycle 3: particle 1"),
+        "{fails}"
+    );
+    let deep = listed(&[
+        "check",
+        "two-discs",
+        "--set",
+        "particle.1.radius=1.2",
+        "--set",
+        "model.overlap=\"allow\"",
+    ]);
+    assert!(deep.contains("particles 1 and 2 overlap by 20 %"), "{deep}");
+    // Nothing is said about what is in order.
+    assert!(!listed(&["check", "rolling-disc"]).contains("limit 0.3506 at cycle"));
+}
+
+#[test]
+fn help_and_manual_name_everything() {
+    let help = listed(&["--help"]);
+    let manual = listed(&["man"]);
+    for subcommand in SUBCOMMANDS {
+        assert!(has_line(&help, &[subcommand]), "{subcommand} in\n{help}");
+        assert!(manual.contains(subcommand), "{subcommand}");
+        let page = listed(&[subcommand, "--help"]);
+        assert!(page.contains("Usage: ballast"), "{page}");
+        assert_eq!(listed(&["help", subcommand]), page);
+    }
+    let run = listed(&["run", "--help"]);
+    for option in [
+        "--csv",
+        "--set",
+        "--seed",
+        "--threads",
+        "--cycles",
+        "--checkpoint",
+        "--every",
+        "--resume",
+        "--quiet",
+    ] {
+        assert!(run.contains(option), "{option} in\n{run}");
+    }
+    let version = format!("ballast {}\n", env!("CARGO_PKG_VERSION"));
+    assert_eq!(listed(&["--version"]), version);
+}
+
+#[test]
+fn every_shell_gets_completions_for_every_subcommand() {
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let script = listed(&["completions", shell]);
+        for word in SUBCOMMANDS.iter().chain(&["threads", "resume"]) {
+            assert!(script.contains(word), "{shell}: {word}");
+        }
+    }
+}
+
+#[test]
+fn wrong_names_are_answered_with_near_ones() {
+    for (words, hints) in [
+        (
+            &["show", "nine-disc-compresion"][..],
+            &["did you mean", "nine-disc-compression"][..],
+        ),
+        (
+            &["show", "zzz"],
+            &["there is no embedded preset", "two-discs"],
+        ),
+        (&["show"], &["<NAME>"]),
+        (&["commands", "frictoin"], &["did you mean", "friction"]),
+        (&["commands", "zzz"], &["zzz"]),
+        (&["check", "two-disc"], &["there is no preset", "two-discs"]),
+        (
+            &["verify", "two-disc"],
+            &["there is no preset", "two-discs"],
+        ),
+        (&["verify", "two-discs", "rolling-disk"], &["rolling-disc"]),
+        (
+            &["verify", "two-discs", "--set", "model.farc=1"],
+            &["farc", "frac"],
+        ),
+        (&["completions", "basch"], &["bash"]),
+        (&["laws", "--al"], &["--al"]),
+        (&["check"], &["<PRESET>"]),
+    ] {
+        refused(words, hints);
+    }
+}
