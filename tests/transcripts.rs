@@ -1,4 +1,8 @@
 //! What the console answers, word for word: the transcripts in data/transcripts.
+#![expect(
+    clippy::unwrap_used,
+    reason = "a test that cannot go on has failed; its panic says where"
+)]
 //!
 //! A transcript is a preset, then lines `> command`, each with the lines of its reply below. A line
 //! `preset NAME` names an embedded preset; otherwise everything before the first command is one.

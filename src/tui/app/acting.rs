@@ -1,0 +1,265 @@
+//! What keys and typed lines do to the screen, and what they ask of the run.
+
+use std::sync::Arc;
+
+use crossterm::event::KeyEvent;
+
+use super::{App, Effect, Overlay, Said};
+use crate::language::Known;
+use crate::measure::columns::nearest;
+use crate::scene::catalogue::PRESETS;
+use crate::session::worker::Order;
+use crate::tui::keys::{self, Action};
+use crate::tui::look::{Chains, Points, Theme};
+use crate::tui::panes::PaneId;
+use crate::tui::prompt::Typed;
+use crate::tui::view::{self, View};
+
+impl App {
+    /// Takes pasted text.
+    pub fn paste(&mut self, text: &str) {
+        if !self.prompt.open {
+            self.prompt.open_with("");
+        }
+        self.prompt.paste(text);
+        self.dirty = true;
+    }
+
+    /// Takes a key.
+    pub fn key(&mut self, event: KeyEvent) -> Effect {
+        self.dirty = true;
+        if self.prompt.open {
+            let nothing = Known::default();
+            let known = self.frame.as_ref().map(|frame| Arc::clone(&frame.known));
+            return match self.prompt.key(event, known.as_deref().unwrap_or(&nothing)) {
+                Typed::Editing | Typed::Left => Effect::None,
+                Typed::Line(line) => self.line(line),
+            };
+        }
+        let Some(key) = keys::find(event) else {
+            return Effect::None;
+        };
+        if let Some(overlay) = self.overlay {
+            return self.overlaid(overlay, key.action);
+        }
+        self.act(key.action)
+    }
+
+    /// A typed line: the screen's own words, or a command for the worker.
+    fn line(&mut self, line: String) -> Effect {
+        let mut words = line.split_whitespace();
+        match (words.next(), words.next(), words.next()) {
+            (Some("q!" | "quit!"), None, None) => Effect::Quit,
+            (Some("q" | "quit"), None, None) => self.quit(false),
+            (Some("pace"), Some("max"), None) => Effect::Order(Order::Pace(None)),
+            (Some("pace"), Some(number), None) => match number.parse::<f64>() {
+                Ok(pace) if pace > 0.0 && pace.is_finite() => {
+                    Effect::Order(Order::Pace(Some(pace)))
+                }
+                _ => {
+                    self.say(Said::Error(format!(
+                        "`{number}` is no pace; cycles per second, or max"
+                    )));
+                    Effect::None
+                }
+            },
+            (Some("set"), Some("kbps"), Some(number)) => match number.parse::<f64>() {
+                Ok(kbps) if kbps > 0.0 => {
+                    self.link.budget = Some(1000.0 * kbps);
+                    Effect::None
+                }
+                _ => {
+                    self.say(Said::Error(format!(
+                        "`{number}` is no rate; kilobytes per second"
+                    )));
+                    Effect::None
+                }
+            },
+            (Some("load"), Some(name), None) => match PRESETS.iter().find(|p| p.name == name) {
+                Some(preset) => Effect::Load(preset.name),
+                None => {
+                    let near = nearest(name, PRESETS.iter().map(|p| p.name));
+                    self.say(Said::Error(format!("there is no preset `{name}`; {near}")));
+                    Effect::None
+                }
+            },
+            _ => Effect::Order(Order::Line(line)),
+        }
+    }
+
+    pub(super) fn quit(&mut self, anyway: bool) -> Effect {
+        let unsaved = self
+            .frame
+            .as_ref()
+            .is_some_and(|frame| frame.cycle > self.kept_cycle);
+        if anyway || !unsaved {
+            return Effect::Quit;
+        }
+        self.overlay = Some(Overlay::Quit);
+        self.dirty = true;
+        Effect::None
+    }
+
+    fn overlaid(&mut self, overlay: Overlay, action: Action) -> Effect {
+        let last = PRESETS.len() - 1;
+        self.overlay = match (overlay, action) {
+            (Overlay::Quit, Action::Quit | Action::Interrupt) => return Effect::Quit,
+            (_, Action::Repaint) => return Effect::Repaint,
+            (Overlay::Presets(at), Action::Zoom) => {
+                self.overlay = None;
+                return Effect::Load(PRESETS[at.min(last)].name);
+            }
+            (Overlay::Help(at), Action::Pan(_, y)) if y != 0.0 => Some(Overlay::Help(if y > 0.0 {
+                at.saturating_sub(1)
+            } else {
+                at + 1
+            })),
+            (Overlay::Help(at), Action::Scroll(by)) => {
+                Some(Overlay::Help(at.saturating_add_signed(by as i16)))
+            }
+            (Overlay::Presets(at), Action::Pan(_, y)) if y != 0.0 => {
+                Some(Overlay::Presets(if y > 0.0 {
+                    at.saturating_sub(1)
+                } else {
+                    (at + 1).min(last)
+                }))
+            }
+            _ => None,
+        };
+        Effect::None
+    }
+
+    fn act(&mut self, action: Action) -> Effect {
+        let running = self.frame.as_ref().is_some_and(|frame| frame.running);
+        let bounds = self
+            .frame
+            .as_ref()
+            .map_or([[0.0; 2], [1.0; 2]], |frame| view::fitted(&frame.picture));
+        match action {
+            Action::Toggle => return Effect::Order(Order::Toggle),
+            Action::Cycle => return Effect::Order(Order::Line("cycle 1".into())),
+            Action::Row => return Effect::Order(Order::Row),
+            Action::Prompt => self.prompt.open_with(""),
+            Action::PromptWith(text) => self.prompt.open_with(text),
+            Action::Help => self.overlay = Some(Overlay::Help(0)),
+            Action::Presets => self.overlay = Some(Overlay::Presets(0)),
+            Action::Interrupt if running => return Effect::Order(Order::Pause),
+            Action::Quit | Action::Interrupt => return self.quit(false),
+            Action::Focus(by) => self.move_focus(by),
+            Action::Pane(number) if number < self.arrangement.panes.len() => self.focus = number,
+            Action::Zoom => {
+                self.zoomed = match self.zoomed {
+                    Some(_) => None,
+                    None => self.focused(),
+                };
+            }
+            Action::Back => self.zoomed = None,
+            Action::Pan(_, y) if self.focused() == Some(PaneId::Dialogue) => {
+                self.scroll(if y > 0.0 { -1 } else { 1 });
+            }
+            Action::Pan(x, y) => self.view.pan(bounds, x, y),
+            Action::Scroll(by) => self.scroll(by),
+            Action::Magnify(factor) => self.view.magnify(factor),
+            Action::Fit => self.view = View::default(),
+            Action::Chart(by) => self.change_chart(by),
+            Action::Select(by) => self.select(by),
+            Action::Chains => {
+                self.look.chains = match self.look.chains {
+                    Chains::Off => Chains::Force,
+                    Chains::Force => Chains::Tangential,
+                    Chains::Tangential => Chains::Off,
+                };
+            }
+            Action::Discs => self.look.discs = !self.look.discs,
+            Action::Velocities => self.look.velocities = !self.look.velocities,
+            Action::Points => {
+                self.look.points = match self.look.points {
+                    Points::Braille => Points::HalfBlock,
+                    Points::HalfBlock => Points::Ascii,
+                    Points::Ascii => Points::Braille,
+                };
+            }
+            Action::Theme => {
+                self.look.theme = if self.look.theme == Theme::Mono {
+                    Theme::Colour
+                } else {
+                    Theme::Mono
+                };
+            }
+            Action::Fps(up) => self.link.change_fps(up),
+            Action::Pace(up) => {
+                let rate = self
+                    .frame
+                    .as_ref()
+                    .map_or(1000.0, |frame| frame.rate.max(10.0));
+                let now = self.pace.unwrap_or(rate);
+                return Effect::Order(Order::Pace(Some(
+                    (if up { 2.0 } else { 0.5 } * now).max(1.0),
+                )));
+            }
+            Action::Flat => return Effect::Order(Order::Pace(None)),
+            Action::Acknowledge => {
+                self.unseen = 0;
+                self.selected = self
+                    .warnings
+                    .last()
+                    .and_then(|w| w.particle)
+                    .or(self.selected);
+            }
+            Action::Repaint => return Effect::Repaint,
+            Action::Suspend => return Effect::Suspend,
+            Action::Pane(_) => {}
+        }
+        Effect::None
+    }
+
+    /// The pane in focus.
+    pub fn focused(&self) -> Option<PaneId> {
+        self.zoomed
+            .or_else(|| self.arrangement.panes.get(self.focus).map(|(id, _)| *id))
+    }
+
+    fn move_focus(&mut self, by: isize) {
+        let count = self.arrangement.panes.len().max(1) as isize;
+        let zoomed = self.zoomed.is_some();
+        self.focus = (self.focus as isize + by).rem_euclid(count) as usize;
+        if zoomed {
+            self.zoomed = None;
+        }
+    }
+
+    fn scroll(&mut self, by: isize) {
+        let most = self.dialogue.len();
+        self.scrolled = self.scrolled.saturating_add_signed(-by).min(most);
+    }
+
+    /// The chart in focus, or the first one, shows another column.
+    fn change_chart(&mut self, by: isize) {
+        let slot = match self.focused() {
+            Some(PaneId::Chart(slot)) => slot,
+            _ => 0,
+        };
+        let count = self.series.columns.len() as isize;
+        let Some(chart) = self.charts.get_mut(slot).filter(|_| count > 0) else {
+            return;
+        };
+        let at = self.series.position(chart).map_or(0, |at| at as isize + by);
+        *chart = self.series.columns[at.rem_euclid(count) as usize].name();
+    }
+
+    fn select(&mut self, by: isize) {
+        let Some(frame) = &self.frame else { return };
+        let discs = &frame.picture.discs;
+        if discs.is_empty() {
+            return;
+        }
+        let at = self
+            .selected
+            .and_then(|id| discs.iter().position(|disc| disc.id == id));
+        let next = match at {
+            None => 0,
+            Some(at) => (at as isize + by).rem_euclid(discs.len() as isize) as usize,
+        };
+        self.selected = Some(discs[next].id);
+    }
+}
