@@ -1,5 +1,9 @@
 //! The README's tables and its picture are made from the code; `UPDATE=1 cargo test --test readme`
 //! writes them anew.
+#![expect(
+    clippy::unwrap_used,
+    reason = "a test that cannot go on has failed; its panic says where"
+)]
 
 use std::fmt::Write;
 

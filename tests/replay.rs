@@ -1,5 +1,9 @@
 //! A journal replays, and a checkpoint goes on, to the same bits: random sessions with commands at
 //! any cycle, at the ends of stages too.
+#![expect(
+    clippy::unwrap_used,
+    reason = "a test that cannot go on has failed; its panic says where"
+)]
 
 use std::fs;
 use std::path::Path;

@@ -1,4 +1,8 @@
 //! The workbench in a real terminal: started, typed to, resized, stopped, hung up.
+#![expect(
+    clippy::unwrap_used,
+    reason = "a test that cannot go on has failed; its panic says where"
+)]
 
 #[path = "terminal/pty.rs"]
 mod pty;

@@ -1,8 +1,4 @@
 //! What the console answers, word for word: the transcripts in data/transcripts.
-#![expect(
-    clippy::unwrap_used,
-    reason = "a test that cannot go on has failed; its panic says where"
-)]
 //!
 //! A transcript is a preset, then lines `> command`, each with the lines of its reply below. A line
 //! `preset NAME` names an embedded preset; otherwise everything before the first command is one.
@@ -11,6 +7,10 @@
 //! the session has to say about them follows the reply. A refused command is answered with `! ` and
 //! the reason, and must have changed nothing. `UPDATE=1 cargo test` writes the replies anew, except
 //! where they hold `...`.
+#![expect(
+    clippy::unwrap_used,
+    reason = "a test that cannot go on has failed; its panic says where"
+)]
 
 use std::collections::BTreeSet;
 use std::fs;

@@ -10,13 +10,13 @@ use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, native_pty_system}
 const PATIENCE: Duration = Duration::from_secs(20);
 
 /// A program in a terminal.
-pub struct Pty {
+pub(crate) struct Pty {
     master: Option<Box<dyn MasterPty + Send>>,
     writer: Option<Box<dyn Write + Send>>,
-    pub child: Box<dyn Child + Send + Sync>,
+    pub(crate) child: Box<dyn Child + Send + Sync>,
     state: Arc<Mutex<State>>,
     /// Where its runs are kept.
-    pub home: tempfile::TempDir,
+    pub(crate) home: tempfile::TempDir,
 }
 
 struct State {
@@ -37,7 +37,7 @@ fn size(columns: u16, rows: u16) -> PtySize {
 
 impl Pty {
     /// Starts `ballast` with these arguments in a terminal of this size.
-    pub fn start(columns: u16, rows: u16, arguments: &[&str]) -> Self {
+    pub(crate) fn start(columns: u16, rows: u16, arguments: &[&str]) -> Self {
         let pair = native_pty_system().openpty(size(columns, rows)).unwrap();
         let home = tempfile::tempdir().unwrap();
         let mut command = CommandBuilder::new(env!("CARGO_BIN_EXE_ballast"));
@@ -64,7 +64,7 @@ impl Pty {
         let mut reader = pair.master.try_clone_reader().unwrap();
         let shared = Arc::clone(&state);
         std::thread::spawn(move || {
-            let mut piece = [0; 65536];
+            let mut piece = vec![0; 65536];
             while let Ok(n) = reader.read(&mut piece) {
                 if n == 0 {
                     break;
@@ -88,17 +88,17 @@ impl Pty {
     }
 
     /// What the screen shows.
-    pub fn screen(&self) -> String {
+    pub(crate) fn screen(&self) -> String {
         self.state.lock().unwrap().parser.screen().contents()
     }
 
     /// Bytes that came so far.
-    pub fn bytes(&self) -> usize {
+    pub(crate) fn bytes(&self) -> usize {
         self.state.lock().unwrap().bytes.len()
     }
 
     /// Whether these bytes came.
-    pub fn sent(&self, text: &str) -> bool {
+    pub(crate) fn sent(&self, text: &str) -> bool {
         let state = self.state.lock().unwrap();
         state
             .bytes
@@ -107,14 +107,14 @@ impl Pty {
     }
 
     /// Types.
-    pub fn keys(&mut self, text: &str) {
+    pub(crate) fn keys(&mut self, text: &str) {
         let writer = self.writer.as_mut().unwrap();
         writer.write_all(text.as_bytes()).unwrap();
         writer.flush().unwrap();
     }
 
     /// Waits until the screen shows what is wanted.
-    pub fn until(&self, what: &str, wanted: impl Fn(&str) -> bool) -> String {
+    pub(crate) fn until(&self, what: &str, wanted: impl Fn(&str) -> bool) -> String {
         let start = Instant::now();
         loop {
             let screen = self.screen();
@@ -130,12 +130,12 @@ impl Pty {
     }
 
     /// Waits until a text is on the screen.
-    pub fn shows(&self, text: &str) -> String {
+    pub(crate) fn shows(&self, text: &str) -> String {
         self.until(text, |screen| screen.contains(text))
     }
 
     /// Changes the size of the terminal.
-    pub fn resize(&mut self, columns: u16, rows: u16) {
+    pub(crate) fn resize(&mut self, columns: u16, rows: u16) {
         let (width, height) = (columns.try_into().unwrap(), rows.try_into().unwrap());
         self.state
             .lock()
@@ -151,14 +151,14 @@ impl Pty {
     }
 
     /// Closes the terminal under the program.
-    pub fn hang_up(&mut self) {
+    pub(crate) fn hang_up(&mut self) {
         self.state.lock().unwrap().hung_up = true;
         self.writer = None;
         self.master = None;
     }
 
     /// Sends a signal.
-    pub fn signal(&self, signal: rustix::process::Signal) {
+    pub(crate) fn signal(&self, signal: rustix::process::Signal) {
         rustix::process::kill_process(self.pid(), signal).unwrap();
     }
 
@@ -168,7 +168,7 @@ impl Pty {
     }
 
     /// State letter of the process, as `ps` shows it.
-    pub fn process_state(&self) -> char {
+    pub(crate) fn process_state(&self) -> char {
         let text = std::fs::read_to_string(format!("/proc/{}/stat", self.pid().as_raw_nonzero()));
         let text = text.unwrap_or_default();
         text.rsplit(") ")
@@ -178,7 +178,7 @@ impl Pty {
     }
 
     /// Processor time used so far [s].
-    pub fn processor_time(&self) -> f64 {
+    pub(crate) fn processor_time(&self) -> f64 {
         let text = std::fs::read_to_string(format!("/proc/{}/stat", self.pid().as_raw_nonzero()));
         let text = text.unwrap_or_default();
         let fields: Vec<&str> = text.rsplit(") ").next().unwrap_or("").split(' ').collect();
@@ -192,7 +192,7 @@ impl Pty {
     }
 
     /// Waits for the end; the exit status and how long it took.
-    pub fn end(&mut self) -> (u32, Duration) {
+    pub(crate) fn end(&mut self) -> (u32, Duration) {
         let start = Instant::now();
         loop {
             if let Some(status) = self.child.try_wait().unwrap() {
@@ -210,7 +210,7 @@ impl Pty {
     }
 
     /// Path of the file with this ending that the run keeps.
-    pub fn kept(&self, ending: &str) -> std::path::PathBuf {
+    pub(crate) fn kept(&self, ending: &str) -> std::path::PathBuf {
         let runs = self.home.path().join("ballast/runs");
         let run = std::fs::read_dir(runs)
             .unwrap()
