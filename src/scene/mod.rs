@@ -3,7 +3,7 @@
 //! A preset is read whole before anything runs or any file is created, and what is wrong with it
 //! comes back as one [`Rejection`] that shows each line, says what was expected and what to do.
 //!
-//! Adding a table: a file with its keys and its reading, a line in [`SECTIONS`], and a field in
+//! Adding a table: a file with its keys and its reading, a line in `SECTIONS`, and a field in
 //! the draft that holds the result. Unknown keys, near names, `--set` and the reference follow.
 
 pub mod catalogue;
