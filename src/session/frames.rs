@@ -7,7 +7,9 @@ use crate::engine::ledger::{Bookings, Energies};
 use crate::engine::world::FraccMonitor;
 use crate::measure::assembly::Assembly;
 use crate::measure::columns::{Column, Kind};
+use crate::measure::fabric::Fabric;
 use crate::measure::frame::Picture;
+use crate::measure::rose::Rose;
 use crate::measure::sample::Sample;
 
 /// Which costly parts of a frame are wanted.
@@ -85,6 +87,8 @@ pub struct Frame {
     pub energies: Option<Energies>,
     /// Losses and work, if wanted and booked.
     pub bookings: Option<Bookings>,
+    /// Directions of contact normals in the first region, if wanted.
+    pub directions: Option<(Rose, Fabric)>,
     /// Columns that are recorded and are numbers.
     pub columns: Arc<[Column]>,
     /// Rows recorded since the last frame.
@@ -144,8 +148,10 @@ impl Session {
         let (stage, stages) = self.stage_number();
         let stage_cycles = (self.stage_cycle(), self.stage_length());
         let known = Arc::new(self.known());
-        let sample = Sample::of(&mut self.world);
+        let sample = Sample::over(&mut self.world, &self.scene.regions);
         let assembly = *sample.assembly();
+        let regional = sample.regional();
+        let directions = wants.roses.then(|| (regional.rose(), *regional.fabric()));
         let energies = wants.energies.then(|| *sample.energies());
         let booked = wants.energies && sample.world().ledger().is_some();
         let bookings = booked.then(|| *sample.bookings());
@@ -175,6 +181,7 @@ impl Session {
             picture,
             energies,
             bookings,
+            directions,
             columns: Arc::clone(&shown.columns),
             rows: new,
             restarted,

@@ -31,6 +31,7 @@ fn frame_of(kind: u8, odd: f64) -> Frame {
         0 => {}
         1 => {
             frame.picture = Picture::default();
+            frame.directions = None;
             frame.rows.clear();
             frame.energies = None;
             frame.bookings = None;
@@ -53,6 +54,12 @@ fn frame_of(kind: u8, odd: f64) -> Frame {
 fn spoil(frame: &mut Frame, odd: f64) {
     for disc in &mut frame.picture.discs {
         (disc.at, disc.radius, disc.velocity, disc.angle) = ([odd; 2], odd, [odd; 2], odd);
+    }
+    if let Some((rose, fabric)) = &mut frame.directions {
+        rose.contacts[3] = odd;
+        rose.force[4] = odd;
+        fabric.plain[(0, 1)] = odd;
+        fabric.weighted[(0, 0)] = odd;
     }
     for touch in frame.picture.touches.iter_mut().step_by(2) {
         (touch.ends, touch.length, touch.normal) = ([[odd; 2]; 2], odd, [odd; 2]);

@@ -1,5 +1,8 @@
 //! A screen made by hand: seven discs on a floor between two walls, a history, warnings.
 
+use ballast::measure::fabric::Fabric;
+use ballast::measure::rose::{PETALS, Rose};
+use nalgebra::{Matrix2, Vector2};
 use std::sync::Arc;
 
 use ballast::engine::ledger::{Bookings, Energies};
@@ -65,6 +68,33 @@ pub(crate) fn app(look: Look) -> App {
 }
 
 /// The frame.
+/// Directions of the contacts of a picture, as the measures would count them.
+fn directions(picture: &Picture) -> (Rose, Fabric) {
+    let mut rose = Rose {
+        contacts: vec![0.0; PETALS],
+        force: vec![0.0; PETALS],
+        sliding: vec![0.0; PETALS],
+    };
+    let (mut plain, mut weighted) = (Matrix2::zeros(), Matrix2::zeros());
+    let count = picture.touches.len() as f64;
+    let force: f64 = picture.touches.iter().map(|touch| touch.n).sum();
+    for touch in &picture.touches {
+        let angle = touch.normal[1].atan2(touch.normal[0]).to_degrees();
+        let petal = (angle / 10.0).round().rem_euclid(18.0) as usize;
+        rose.contacts[petal] += 1.0;
+        rose.force[petal] += touch.n;
+        let e = Vector2::from(touch.normal);
+        plain += e * e.transpose() / count;
+        weighted += e * e.transpose() * touch.n / force;
+    }
+    let fabric = Fabric {
+        plain,
+        weighted,
+        contacts: count,
+    };
+    (rose, fabric)
+}
+
 pub(crate) fn frame() -> Frame {
     let columns = COLUMNS.map(|name| Column::parse(name).expect("it is in the list"));
     Frame {
@@ -98,6 +128,7 @@ pub(crate) fn frame() -> Frame {
             last: Some((14_311, 5, 0.347)),
             worst: Some((14_200, 6, 0.391)),
         },
+        directions: Some(directions(&picture())),
         picture: picture(),
         energies: Some(Energies {
             kinetic: 0.012,

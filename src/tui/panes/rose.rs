@@ -6,7 +6,9 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::Pane;
-use crate::measure::frame::Touch;
+use crate::measure::fabric::Fabric;
+use crate::measure::rose;
+use crate::measure::tensor::Principal;
 use crate::tui::app::App;
 use crate::tui::dots::{Dots, Ink};
 use crate::tui::look::Role;
@@ -29,16 +31,13 @@ pub const WEIGHTED: Pane = Pane {
     draw: |app, _, area, buffer| draw(app, true, area, buffer),
 };
 
-/// Sectors of 10 degrees over half a turn; a normal has no sense.
-const BINS: usize = 18;
-
-/// Distribution of directions.
+/// A distribution of directions, ready to be drawn.
 #[derive(Debug, Clone, PartialEq)]
 struct Rose {
-    /// Weight of each sector, from 0 to 180 degrees.
-    bins: [f64; BINS],
+    /// Weight of each petal; they are centred on multiples of their width, from 0 to 180 degrees.
+    petals: Vec<f64>,
     /// Contacts counted.
-    count: usize,
+    count: f64,
     /// Difference of the principal values of the mean of n n, 0 to 1.
     anisotropy: f64,
     /// Direction of the larger one [degrees].
@@ -46,43 +45,35 @@ struct Rose {
 }
 
 impl Rose {
-    fn of(touches: &[Touch], weighted: bool) -> Self {
-        let mut bins = [0.0; BINS];
-        let (mut count, mut total, mut difference, mut product) = (0, 0.0, 0.0, 0.0);
-        for touch in touches {
-            let [x, y] = touch.normal;
-            let weight = if weighted { touch.n } else { 1.0 };
-            if !(touch.n > 0.0 && weight.is_finite() && x.is_finite() && y.is_finite()) {
-                continue;
-            }
-            let angle = y.atan2(x).rem_euclid(PI);
-            let bin = (angle / PI * BINS as f64) as usize;
-            bins[bin.min(BINS - 1)] += weight;
-            count += 1;
-            total += weight;
-            difference += weight * (x * x - y * y);
-            product += weight * 2.0 * x * y;
-        }
-        let size = (difference * difference + product * product).sqrt();
+    fn of((rose, fabric): &(rose::Rose, Fabric), weighted: bool) -> Self {
+        let (petals, tensor) = if weighted {
+            (&rose.force, &fabric.weighted)
+        } else {
+            (&rose.contacts, &fabric.plain)
+        };
+        let principal = Principal::of(tensor);
         Self {
-            bins,
-            count,
-            anisotropy: if total > 0.0 { size / total } else { f64::NAN },
-            direction: (0.5 * product.atan2(difference))
-                .to_degrees()
-                .rem_euclid(180.0),
+            petals: petals.clone(),
+            count: fabric.contacts,
+            anisotropy: principal.major - principal.minor,
+            direction: principal.angle,
         }
     }
 
     fn mean(&self) -> f64 {
-        self.bins.iter().sum::<f64>() / BINS as f64
+        self.petals.iter().sum::<f64>() / self.petals.len() as f64
+    }
+
+    /// Width of a petal [rad].
+    fn width(&self) -> f64 {
+        PI / self.petals.len() as f64
     }
 }
 
 /// How many times the mean the outer rim stands for: one of few numbers, so that the picture keeps
 /// its size while counts vary.
 fn rim(rose: &Rose) -> f64 {
-    let most = rose.bins.iter().fold(0.0, |a: f64, b| a.max(*b)) / rose.mean();
+    let most = rose.petals.iter().fold(0.0, |a: f64, b| a.max(*b)) / rose.mean();
     let steps = [1.5, 2.0, 3.0, 4.5, 6.0, 9.0];
     steps.into_iter().find(|step| most <= *step).unwrap_or(18.0)
 }
@@ -91,8 +82,11 @@ fn draw(app: &App, weighted: bool, area: Rect, buffer: &mut Buffer) {
     let Some(frame) = &app.frame else {
         return;
     };
-    let rose = Rose::of(&frame.picture.touches, weighted);
-    if rose.count == 0 {
+    let rose = frame
+        .directions
+        .as_ref()
+        .map(|directions| Rose::of(directions, weighted));
+    let Some(rose) = rose.filter(|rose| rose.count > 0.0 && rose.mean() > 0.0) else {
         write::at(
             &app.look,
             (area, buffer),
@@ -101,7 +95,7 @@ fn draw(app: &App, weighted: bool, area: Rect, buffer: &mut Buffer) {
             Role::Label,
         );
         return;
-    }
+    };
     let table = area.width >= 70 && area.height >= 12;
     let foot = u16::from(area.height >= 4);
     let body = Rect {
@@ -158,10 +152,10 @@ fn draw_outline(rose: &Rose, dots: &mut Dots) {
         let [x, y] = at(unit * rose.mean(), k as f64 / dotted as f64 * TAU);
         dots.dot(x.floor() as i64, y.floor() as i64, Ink::Guide);
     }
-    let width = PI / BINS as f64;
-    for k in 0..2 * BINS {
-        let r = |k: usize| unit * rose.bins[k % BINS];
-        let (from, to) = (k as f64 * width, (k + 1) as f64 * width);
+    let (width, petals) = (rose.width(), rose.petals.len());
+    for k in 0..2 * petals {
+        let r = |k: usize| unit * rose.petals[k % petals];
+        let (from, to) = ((k as f64 - 0.5) * width, (k as f64 + 0.5) * width);
         let steps = (r(k) * width).ceil().max(1.0) as usize;
         let arc = |s: usize| at(r(k), from + (to - from) * s as f64 / steps as f64);
         for s in 0..steps {
@@ -175,67 +169,63 @@ fn write_table(app: &App, rose: &Rose, weighted: bool, area: Rect, buffer: &mut 
     let mut lines = write::Lines::new(&app.look, area, buffer);
     let what = if weighted { "N" } else { "contacts" };
     lines.line(&format!("degrees   {what:>10}   share"), Role::Label);
-    let total = rose.mean() * BINS as f64;
-    for (k, value) in rose.bins.iter().enumerate() {
+    let total = rose.mean() * rose.petals.len() as f64;
+    for (k, value) in rose.petals.iter().enumerate() {
         let number = if weighted {
             short(*value)
         } else {
             format!("{value:.0}")
         };
         let share = 100.0 * value / total;
-        let text = format!(
-            "{:>3}-{:<3}   {number:>10}   {share:4.1} %",
-            10 * k,
-            10 * k + 10
-        );
+        let middle = k as f64 * rose.width().to_degrees();
+        let text = format!("{middle:>7.0}   {number:>10}   {share:4.1} %");
         lines.line(&text, Role::Value);
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::{Matrix2, Vector2};
+
     use super::*;
 
-    fn touch(degrees: f64, n: f64) -> Touch {
-        let angle = degrees.to_radians();
-        Touch {
-            ends: [[0.0; 2]; 2],
-            length: 1.0,
-            normal: [angle.cos(), angle.sin()],
-            n,
-            t: 0.0,
-            sliding: false,
-            first: 1,
-            second: Some(2),
+    fn directions(normals: &[(usize, f64)]) -> (rose::Rose, Fabric) {
+        let mut rose = rose::Rose {
+            contacts: vec![0.0; 18],
+            force: vec![0.0; 18],
+            sliding: vec![0.0; 18],
+        };
+        let (mut plain, mut weighted) = (Matrix2::zeros(), Matrix2::zeros());
+        let force: f64 = normals.iter().map(|(_, n)| n).sum();
+        for &(petal, n) in normals {
+            rose.contacts[petal] += 1.0;
+            rose.force[petal] += n;
+            let angle = (10.0 * petal as f64).to_radians();
+            let e = Vector2::new(angle.cos(), angle.sin());
+            plain += e * e.transpose() / normals.len() as f64;
+            weighted += e * e.transpose() * n / force;
         }
-    }
-
-    #[test]
-    fn normals_have_no_sense() {
-        let there = Rose::of(&[touch(25.0, 1.0), touch(95.0, 2.0)], false);
-        let back = Rose::of(&[touch(205.0, 1.0), touch(-85.0, 2.0)], false);
-        assert_eq!(there.bins, back.bins);
-        assert_eq!((there.bins[2], there.bins[9]), (1.0, 1.0));
+        let contacts = normals.len() as f64;
+        (
+            rose,
+            Fabric {
+                plain,
+                weighted,
+                contacts,
+            },
+        )
     }
 
     #[test]
     fn one_direction_is_wholly_anisotropic_three_are_not() {
-        let one = Rose::of(&[touch(30.0, 1.0), touch(30.0, 5.0)], false);
+        let one = Rose::of(&directions(&[(3, 1.0), (3, 5.0)]), false);
         // Rounding of sines only.
         assert!((one.anisotropy - 1.0).abs() < 1e-12 && (one.direction - 30.0).abs() < 1e-9);
-        let three = Rose::of(
-            &[touch(0.0, 1.0), touch(60.0, 1.0), touch(120.0, 1.0)],
-            true,
-        );
+        assert_eq!((one.petals[3], one.count), (2.0, 2.0));
+        let three = Rose::of(&directions(&[(0, 1.0), (6, 1.0), (12, 1.0)]), true);
         assert!(three.anisotropy < 1e-12);
-        let heavy = Rose::of(&[touch(0.0, 3.0), touch(90.0, 1.0)], true);
+        let heavy = Rose::of(&directions(&[(0, 3.0), (9, 1.0)]), true);
         assert!((heavy.anisotropy - 0.5).abs() < 1e-12);
-    }
-
-    #[test]
-    fn open_contacts_do_not_count() {
-        let rose = Rose::of(&[touch(10.0, 0.0), touch(10.0, f64::NAN)], true);
-        assert_eq!(rose.count, 0);
-        assert!(rose.anisotropy.is_nan());
+        assert_eq!((heavy.petals[0], heavy.petals[9]), (3.0, 1.0));
     }
 }
