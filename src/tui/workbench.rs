@@ -57,6 +57,8 @@ struct Workbench {
     threads: usize,
     /// A key was pressed: draw now, on credit.
     urgent: bool,
+    /// Frames to be drawn as soon as they come: an order was given, and its answer is waited for.
+    eager: u8,
 }
 
 /// Runs a workbench on a scene.
@@ -117,6 +119,7 @@ pub fn run(scene: Scene, start: &Start) -> Result<Ended, RunError> {
         keep,
         threads: start.threads,
         urgent: true,
+        eager: 0,
     };
     let end = bench.work(&interrupt, &jobs);
     Ok(bench.close(&end))
@@ -180,10 +183,15 @@ impl Workbench {
     fn draw_if_due(&mut self) -> std::io::Result<Duration> {
         let now = Instant::now();
         let due = self.app.link.wait(now);
-        if !self.urgent && !due.is_zero() {
+        if !self.urgent && self.eager == 0 && !due.is_zero() {
             return Ok(due);
         }
-        if let Some(frame) = self.worker.frame() {
+        let frame = self.worker.frame();
+        if frame.is_none() && !self.urgent && !due.is_zero() {
+            return Ok(due);
+        }
+        if let Some(frame) = frame {
+            self.eager = self.eager.saturating_sub(1);
             self.app.take_frame(frame);
         }
         let Some(area) = Terminal::size() else {
@@ -248,6 +256,8 @@ impl Workbench {
         match effect {
             Effect::None => {}
             Effect::Order(order) => {
+                // The frame in the mailbox is older than the order, the next one may be.
+                self.eager = 3;
                 self.worker.order(order);
             }
             Effect::Load(name) => self.load(name),
