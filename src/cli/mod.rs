@@ -174,7 +174,7 @@ fn positive(text: &str) -> Result<f64, String> {
     const LONGEST: f64 = 1e11;
     match text.parse::<f64>() {
         Ok(seconds) if seconds > 0.0 => Ok(seconds.min(LONGEST)),
-        _ => Err("a number of seconds above 0 is expected".into()),
+        _ => Err("a number above 0 is expected".into()),
     }
 }
 

@@ -1,10 +1,16 @@
 //! `ballast [PRESET]`: the workbench.
 
+use std::sync::mpsc::RecvTimeoutError;
+use std::time::Duration;
+
 use super::output::{complain, load, tell};
 use super::{BAD_INPUT, FAILED, Workbench};
+use crate::scene::Scene;
 use crate::scene::catalogue::PRESETS;
-use crate::tui::workbench::{Start, run};
-use crate::tui::{plain, terminal};
+use crate::session::RunError;
+use crate::tui::plain::{self, Heard};
+use crate::tui::terminal;
+use crate::tui::workbench::{Ended, Start, run};
 
 /// Opens it; answers the exit status.
 pub(super) fn open(options: &Workbench) -> u8 {
@@ -12,6 +18,9 @@ pub(super) fn open(options: &Workbench) -> u8 {
     let name = options.preset.as_deref().unwrap_or(first);
     let dumb = std::env::var("TERM").is_ok_and(|term| term == "dumb");
     let plain = options.plain || (dumb && terminal::is_there());
+    let Some(scene) = load(name, &options.set) else {
+        return BAD_INPUT;
+    };
     if !plain && !terminal::is_there() {
         complain(&format!(
             "the workbench needs a terminal; run without one with\n  ballast run {name}\nor talk \
@@ -19,16 +28,9 @@ pub(super) fn open(options: &Workbench) -> u8 {
         ));
         return BAD_INPUT;
     }
-    let Some(scene) = load(name, &options.set) else {
-        return BAD_INPUT;
-    };
     let threads = usize::from(options.threads);
     if plain {
-        let (mut input, mut output) = (std::io::stdin().lock(), std::io::stdout().lock());
-        return plain::talk(scene, threads, &mut input, &mut output).unwrap_or_else(|error| {
-            complain(&error.to_string());
-            FAILED
-        });
+        return tell_end(dialogue(scene, threads));
     }
     let start = Start {
         paused: options.paused,
@@ -38,7 +40,30 @@ pub(super) fn open(options: &Workbench) -> u8 {
         threads,
         panic_at: options.panic_at,
     };
-    match run(scene, &start) {
+    tell_end(run(scene, &start))
+}
+
+/// The teletype dialogue on standard input and output.
+fn dialogue(scene: Scene, threads: usize) -> Result<Ended, RunError> {
+    let (lines, heard) = std::sync::mpsc::channel();
+    // A thread of its own reads, so that a signal is answered while nobody types.
+    std::thread::spawn(move || {
+        for line in std::io::stdin().lines().map_while(Result::ok) {
+            if lines.send(line).is_err() {
+                return;
+            }
+        }
+    });
+    let mut listen = || match heard.recv_timeout(Duration::from_millis(100)) {
+        Ok(line) => Heard::Line(line),
+        Err(RecvTimeoutError::Timeout) => Heard::Nothing,
+        Err(RecvTimeoutError::Disconnected) => Heard::End,
+    };
+    plain::talk(scene, threads, &mut listen, &mut std::io::stdout())
+}
+
+fn tell_end(ended: Result<Ended, RunError>) -> u8 {
+    match ended {
         Ok(ended) => {
             tell(&ended.farewell);
             ended.status

@@ -55,6 +55,17 @@ pub enum Fault {
         /// Name of the wall.
         wall: String,
     },
+    /// The time step is zero, infinite or no number.
+    #[error(
+        "cycle {cycle}: the time step is {dt:?} s; check densities and stiffnesses, or give \
+         model.time_step in seconds where no particle can move"
+    )]
+    NoStep {
+        /// Cycle in which it was worked out.
+        cycle: u64,
+        /// The step [s].
+        dt: f64,
+    },
     /// Two centres coincide, so that the contact has no direction.
     #[error("cycle {cycle}: the centres of particles {first} and {second} coincide; reduce frac")]
     Coincident {

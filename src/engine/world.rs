@@ -109,6 +109,11 @@ impl World {
         world.join_walls();
         world.replan();
         world.retime();
+        let sound = world.dt > 0.0 && world.dt.is_finite();
+        if !sound && !world.particles.is_empty() {
+            let (cycle, dt) = (world.cycle, world.dt);
+            return Err(Fault::NoStep { cycle, dt });
+        }
         world.touch(0.0)?;
         world.open_ledger();
         Ok(world)

@@ -5,6 +5,7 @@ use super::key::{Absent, COUNT_MAX, Form, Key};
 use super::phrase;
 use super::reader::Reader;
 use super::section::{Section, Shape};
+use crate::language::command::HistoryChange;
 use crate::language::{Command, Expression, Mistake};
 
 /// One stage of a run.
@@ -125,6 +126,7 @@ fn belongs(command: Command, text: &str) -> Result<Command, Mistake> {
         Command::Save(_) | Command::Restore(_) | Command::Source(_) | Command::Journal(_) => {
             "put the commands themselves here; files are named on the command line"
         }
+        Command::History(HistoryChange::Columns(_)) => "name them in [history] columns",
         Command::ExportCsv(_) => "`ballast run PRESET --csv FILE` writes the history",
         _ => return Ok(command),
     };

@@ -35,6 +35,7 @@ impl Session {
     /// Runs a batch. When all stages are done it goes on only for what the user asked for, or if
     /// `free` up to the cycle of the budget.
     pub fn advance(&mut self, budget: Budget, free: bool) -> Result<Progress, RunError> {
+        self.keep_safe_at_times();
         let start = Instant::now();
         let mut looks = 0;
         loop {

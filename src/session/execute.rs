@@ -60,7 +60,8 @@ const SOLVED: f64 = 1e-5;
 impl Session {
     /// Executes a line as if typed.
     pub fn type_line(&mut self, line: &str) -> Result<Reply, Refusal> {
-        let command = Command::parse(line)?;
+        // People who have just opened a prompt with a colon type another.
+        let command = Command::parse(line.trim_start().trim_start_matches(':'))?;
         self.execute(&command, By::User)
     }
 

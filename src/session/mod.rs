@@ -54,8 +54,10 @@ pub struct Session {
     averages_only: bool,
     /// State that displacements are measured from.
     reference: Reference,
-    /// Cycle and checkpoint of the start of the stage, for a run that goes wrong.
+    /// Cycle and checkpoint of a good state, for a run that goes wrong.
     safe: Option<(u64, Vec<u8>)>,
+    /// When the next such state is due.
+    safe_due: Option<std::time::Instant>,
     /// For tests of what happens then: panic at this cycle.
     panic_at: Option<u64>,
 }

@@ -50,6 +50,7 @@ impl Session {
             averages_only: false,
             reference,
             safe: None,
+            safe_due: None,
             panic_at: None,
         })
     }
@@ -84,8 +85,17 @@ impl Session {
         Ok(self.recording.rows().len() as u64)
     }
 
+    /// Writes every row so far as CSV to standard output.
+    pub fn export_stdout(&self) -> Result<(), RunError> {
+        let history = History::to_stdout(&self.recording.names())?;
+        Ok(self.with_rows(history)?.flush()?)
+    }
+
     fn whole_history(&self, path: &Path) -> Result<History, RunError> {
-        let mut history = History::create(path, &self.recording.names())?;
+        self.with_rows(History::create(path, &self.recording.names())?)
+    }
+
+    fn with_rows(&self, mut history: History) -> Result<History, RunError> {
         for row in self.recording.rows() {
             let stage = self.scene.stages.get(row.stage as usize);
             self.recording

@@ -9,6 +9,7 @@ use std::collections::{BTreeMap, VecDeque};
 
 use super::{Budget, By, Progress, Refusal, RunError, Session};
 use crate::language::Command;
+use crate::language::command::HistoryChange;
 use crate::record::journal::{Event, EventKind, Journal};
 
 /// A journal being replayed.
@@ -60,6 +61,17 @@ impl Replay {
             }
         }
         Some(rest)
+    }
+
+    /// Whether the columns of the history change on the way: then rows are known only at the end.
+    pub fn changes_columns(&self) -> bool {
+        self.events.iter().any(|event| match &event.kind {
+            EventKind::Typed(line) => matches!(
+                Command::parse(line),
+                Ok(Command::History(HistoryChange::Columns(_)))
+            ),
+            _ => false,
+        })
     }
 
     /// Cycle of its end, if it came to one.

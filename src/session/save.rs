@@ -1,6 +1,7 @@
 //! Checkpoints of a session: complete, so that a resumed run gives the same bits.
 
 use std::path::Path;
+use std::time::{Duration, Instant};
 
 use serde::{Deserialize, Serialize};
 
@@ -76,7 +77,18 @@ impl Session {
         }
     }
 
-    /// Cycle at which the stage began, if its state was kept.
+    /// The same in the middle of a stage, so seldom that it takes no time worth mentioning. Changes
+    /// nothing; when it happens shows nowhere but in what a failed run can go back to.
+    pub(super) fn keep_safe_at_times(&mut self) {
+        if self.safe_due.is_none_or(|due| Instant::now() >= due) {
+            let start = Instant::now();
+            self.keep_safe();
+            let pause = (100 * start.elapsed()).max(Duration::from_secs(2));
+            self.safe_due = Some(Instant::now() + pause);
+        }
+    }
+
+    /// Cycle of the state that was kept, if one was.
     pub fn safe_cycle(&self) -> Option<u64> {
         self.safe.as_ref().map(|(cycle, _)| *cycle)
     }
@@ -139,6 +151,7 @@ impl Session {
             averages_only,
             reference,
             safe: None,
+            safe_due: None,
             panic_at: None,
         })
     }

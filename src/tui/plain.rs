@@ -1,44 +1,63 @@
 //! The teletype dialogue: lines in, lines out, no cursor, no colours. For `TERM=dumb`, pipes,
 //! screen readers and scripts.
 
-use std::io::{BufRead, Write};
+use std::io::Write;
 use std::time::{Duration, Instant};
 
+use super::workbench::{Ended, folder};
+use crate::record::interrupt::{Interrupt, Signal};
 use crate::scene::Scene;
+use crate::session::worker::Keep;
 use crate::session::{Budget, Options, Progress, Request, RunError, Session};
 
 /// A line of status comes this often while cycles run.
 const STATUS: Duration = Duration::from_secs(2);
 
-/// Talks until the input ends or a command ends it; answers the exit status.
+/// What was heard in a moment of listening.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Heard {
+    /// A line.
+    Line(String),
+    /// Nothing yet.
+    Nothing,
+    /// The end of the input.
+    End,
+}
+
+/// Talks until the input ends, a command or a signal ends it; everything is kept in a folder of
+/// its own, as by the workbench.
 pub fn talk(
     scene: Scene,
     threads: usize,
-    input: &mut dyn BufRead,
+    listen: &mut dyn FnMut() -> Heard,
     output: &mut dyn Write,
-) -> Result<u8, RunError> {
-    let interrupt = crate::record::interrupt::Interrupt::install().ok();
-    let mut session = Session::open(
-        scene,
-        Options {
-            threads,
-            ..Options::default()
-        },
-    )?;
+) -> Result<Ended, RunError> {
+    let interrupt = Interrupt::install().ok();
+    let caught = || interrupt.as_ref().and_then(Interrupt::caught);
+    let options = Options {
+        threads,
+        ..Options::default()
+    };
+    let mut session = Session::open(scene, options)?;
+    let keep = folder(&session.scene().name);
+    if let Some(keep) = &keep {
+        session.write_journal(&keep.journal)?;
+    }
+    let title = &session.scene().about.title;
+    say(output, &format!("{}: {title}", session.scene().name));
     say(
         output,
-        &format!("{}: {}", session.scene().name, session.scene().about.title),
+        "type a command; help lists them, go runs, quit ends",
     );
-    say(
-        output,
-        "type a command, help lists them, go runs, quit ends",
-    );
-    let mut line = String::new();
     loop {
-        line.clear();
-        if !matches!(input.read_line(&mut line), Ok(n) if n > 0) {
-            return Ok(0);
+        if let Some(signal) = caught() {
+            return close(&mut session, keep.as_ref(), Some(signal));
         }
+        let line = match listen() {
+            Heard::Line(line) => line,
+            Heard::Nothing => continue,
+            Heard::End => return close(&mut session, keep.as_ref(), None),
+        };
         let text = line.trim();
         if text.is_empty() || text.starts_with('#') {
             continue;
@@ -52,24 +71,37 @@ pub fn talk(
         };
         reply.lines.iter().for_each(|line| say(output, line));
         match reply.request {
-            Some(Request::Quit { .. }) => return Ok(0),
+            Some(Request::Quit { .. }) => return close(&mut session, keep.as_ref(), None),
             Some(Request::Run) => {
-                let caught = || {
-                    interrupt
-                        .as_ref()
-                        .and_then(crate::record::interrupt::Interrupt::caught)
-                };
                 if let Err(error) = run(&mut session, output, &|| caught().is_some()) {
                     say(output, &format!("! {error}"));
-                }
-                if let Some(signal) = caught() {
-                    say(output, signal.name);
-                    return Ok(signal.exit_status());
                 }
             }
             Some(Request::Pause) | None => {}
         }
     }
+}
+
+/// Saves what there is and says where; nothing is lost, so nothing has to be asked.
+fn close(
+    session: &mut Session,
+    keep: Option<&Keep>,
+    signal: Option<Signal>,
+) -> Result<Ended, RunError> {
+    session.flush()?;
+    let cycle = session.world().cycle_number();
+    let mut farewell = signal.map_or_else(String::new, |signal| format!("{}\n", signal.name));
+    farewell.push_str(&format!("cycle {cycle}"));
+    if let Some(keep) = keep {
+        farewell.push_str(&format!("; journal {}", keep.journal.display()));
+        if cycle > 0 {
+            session.save(&keep.checkpoint)?;
+            let path = keep.checkpoint.display();
+            farewell.push_str(&format!("\ngo on with: ballast run --resume {path}"));
+        }
+    }
+    let status = signal.map_or(0, Signal::exit_status);
+    Ok(Ended { status, farewell })
 }
 
 fn run(
@@ -106,11 +138,8 @@ fn status(session: &Session) -> String {
     } else {
         String::new()
     };
-    format!(
-        "{place}cycle {}, time {:.6e} s",
-        world.cycle_number(),
-        world.time()
-    )
+    let (cycle, time) = (world.cycle_number(), world.time());
+    format!("{place}cycle {cycle}, time {time:.6e} s")
 }
 
 /// A reader that has gone needs no more lines.

@@ -348,9 +348,10 @@ impl Workbench {
         }
         let status = match end {
             End::Quit => 0,
-            End::Gone => 129,
+            // Writing to a terminal that has gone fails before the poll tells.
+            End::Gone | End::Terminal(_) => 129,
             End::Signal(signal) => signal.exit_status(),
-            End::WorkerDied | End::Terminal(_) => 1,
+            End::WorkerDied => 1,
         };
         Ended { status, farewell }
     }
@@ -358,7 +359,7 @@ impl Workbench {
 
 /// A folder of its own for each run, under the state folder of the user; `None` where there is no
 /// place for it.
-fn folder(name: &str) -> Option<Keep> {
+pub(super) fn folder(name: &str) -> Option<Keep> {
     let base = std::env::var_os("XDG_STATE_HOME")
         .map(PathBuf::from)
         .filter(|path| path.is_absolute())

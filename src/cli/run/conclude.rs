@@ -45,12 +45,13 @@ pub(super) fn conclude(
 /// The checkpoint comes before the last row: a run that goes on from it has no such row there.
 fn finish(session: &mut Session, files: &mut Files) -> Result<(), RunError> {
     files.save(session)?;
-    session.finish()
+    session.finish()?;
+    files.write_late(session)
 }
 
 fn interrupted(session: &mut Session, options: &Run, files: &Files, signal: Signal) -> u8 {
     let path = checkpoint(session, files);
-    let rows = session.flush();
+    let rows = session.flush().and_then(|()| files.write_late(session));
     let saved = session
         .save_state(&path)
         .and_then(|()| keep_journal(session, files));

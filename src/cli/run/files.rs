@@ -6,7 +6,7 @@ use std::time::Duration;
 use super::prepare::Prepared;
 use crate::cli::Run;
 use crate::record::history::History;
-use crate::session::{RunError, Session};
+use crate::session::{Replay, RunError, Session};
 
 /// With `--csv FILE` a checkpoint is kept beside it this often unless `--every` says otherwise.
 const USUAL: Duration = Duration::from_secs(60);
@@ -25,6 +25,8 @@ pub(super) struct Files {
     pub(super) period: Duration,
     /// Cycle of the last checkpoint written.
     pub(super) saved: Option<u64>,
+    /// Whether the history is written at the end: its columns change on the way.
+    pub(super) late: bool,
 }
 
 impl Files {
@@ -43,6 +45,10 @@ impl Files {
             period: options.every.map_or(USUAL, Duration::from_secs_f64),
             csv,
             saved: None,
+            late: prepared
+                .replay
+                .as_ref()
+                .is_some_and(Replay::changes_columns),
         };
         let input = options.preset.as_ref().map(PathBuf::from);
         if let (Some(journal), Some(_), Some(input)) = (&files.journal, &prepared.replay, &input)
@@ -97,7 +103,13 @@ impl Files {
     pub(super) fn open(&mut self, prepared: &mut Prepared) -> Result<(), RunError> {
         let session = &mut prepared.session;
         let names = session.recording().names();
-        if let Some(csv) = &self.csv {
+        if self.late {
+            // A file that cannot be written is better known now.
+            self.csv
+                .as_ref()
+                .map(|csv| History::create(csv, &names))
+                .transpose()?;
+        } else if let Some(csv) = &self.csv {
             if prepared.resumed {
                 session.go_on_with_history(csv)?;
             } else {
@@ -110,6 +122,16 @@ impl Files {
             session.write_journal(journal)?;
         }
         self.save(session)
+    }
+
+    /// Writes the history as a whole, where it could not be written row by row.
+    pub(super) fn write_late(&self, session: &Session) -> Result<(), RunError> {
+        match &self.csv {
+            _ if !self.late => Ok(()),
+            Some(csv) => session.export_csv(csv).map(drop),
+            None if self.stdout => session.export_stdout(),
+            None => Ok(()),
+        }
     }
 
     /// Writes the checkpoint, if one is kept.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crossterm::event::KeyEvent;
+use crossterm::event::{KeyCode, KeyEvent};
 
 use super::{App, Effect, Overlay, Said};
 use crate::language::Known;
@@ -28,12 +28,16 @@ impl App {
     /// Takes a key.
     pub fn key(&mut self, event: KeyEvent) -> Effect {
         self.dirty = true;
+        if self.prompt.open && matches!(event.code, KeyCode::PageUp | KeyCode::PageDown) {
+            self.scroll(if event.code == KeyCode::PageUp { -5 } else { 5 });
+            return Effect::None;
+        }
         if self.prompt.open {
             let nothing = Known::default();
             let known = self.frame.as_ref().map(|frame| Arc::clone(&frame.known));
             return match self.prompt.key(event, known.as_deref().unwrap_or(&nothing)) {
                 Typed::Editing | Typed::Left => Effect::None,
-                Typed::Line(line) => self.line(line),
+                Typed::Line(line) => self.line(&line),
             };
         }
         let Some(key) = keys::find(event) else {
@@ -46,7 +50,9 @@ impl App {
     }
 
     /// A typed line: the screen's own words, or a command for the worker.
-    fn line(&mut self, line: String) -> Effect {
+    fn line(&mut self, line: &str) -> Effect {
+        // The prompt stays open after a command; a colon before the next one is habit.
+        let line = line.trim_start_matches(':').trim().to_owned();
         let mut words = line.split_whitespace();
         match (words.next(), words.next(), words.next()) {
             (Some("q!" | "quit!"), None, None) => Effect::Quit,
@@ -95,6 +101,8 @@ impl App {
         if anyway || !unsaved {
             return Effect::Quit;
         }
+        // The answer is a key, not a line.
+        self.prompt.open = false;
         self.overlay = Some(Overlay::Quit);
         self.dirty = true;
         Effect::None

@@ -247,6 +247,19 @@ impl App {
         self.dirty = true;
     }
 
+    /// A long answer gets the whole screen; Esc gives it back.
+    fn make_room(&mut self, lines: usize) {
+        let shown = self
+            .arrangement
+            .panes
+            .iter()
+            .find(|(id, _)| *id == PaneId::Dialogue);
+        let room = shown.map_or(1, |(_, area)| usize::from(area.height.saturating_sub(2)));
+        if lines > room {
+            self.zoomed = Some(PaneId::Dialogue);
+        }
+    }
+
     /// Takes a report of the worker.
     pub fn take_report(&mut self, report: Report) -> Effect {
         match report {
@@ -259,6 +272,7 @@ impl App {
                         {
                             self.kept_cycle = frame.cycle;
                         }
+                        self.make_room(reply.lines.len());
                         reply
                             .lines
                             .into_iter()
