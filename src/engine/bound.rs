@@ -28,8 +28,17 @@ impl World {
 
     /// The bound for one particle [s].
     pub fn stable_step_of(&self, p: usize) -> f64 {
-        self.stable_step_with(p, 1.0)
-            .max(self.stable_step_with(p, 2.0))
+        let held = |&[i, j]: &[u32; 2]| {
+            let other = if i as usize == p { j } else { i };
+            self.particles.is_driven(other as usize)
+        };
+        let mut contacts = self.contacts.of(p);
+        // Only contacts with what cannot move can be counted in two ways.
+        if contacts.any(|(k, _)| self.contacts.pairs.get(k).is_none_or(held)) {
+            let once = self.stable_step_with(p, 1.0);
+            return once.max(self.stable_step_with(p, 2.0));
+        }
+        self.stable_step_with(p, 2.0)
     }
 
     /// The bound with contacts against immovable partners counted `held` times [s].

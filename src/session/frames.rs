@@ -1,6 +1,7 @@
 //! Frames: everything a screen shows, taken at a cycle boundary.
 
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 
 use super::Session;
 use crate::engine::ledger::{Bookings, Energies};
@@ -11,6 +12,9 @@ use crate::measure::fabric::Fabric;
 use crate::measure::frame::Picture;
 use crate::measure::rose::Rose;
 use crate::measure::sample::Sample;
+
+/// While cycles run the stability bound shown may be so old.
+const LIMIT_AGE: Duration = Duration::from_secs(1);
 
 /// Which costly parts of a frame are wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -109,6 +113,8 @@ pub struct Shown {
     serial: u64,
     rows: usize,
     columns: Arc<[Column]>,
+    /// The stability bound, and when it was worked out: it costs more than the rest of a frame.
+    limit: Option<(Instant, f64)>,
 }
 
 impl Session {
@@ -161,6 +167,13 @@ impl Session {
             Picture::default()
         };
         let world = &self.world;
+        let fresh = shown
+            .limit
+            .filter(|(then, _)| running && then.elapsed() < LIMIT_AGE);
+        let frac_limit = fresh.map_or_else(|| world.frac_limit(), |(_, limit)| limit);
+        if fresh.is_none() {
+            shown.limit = Some((Instant::now(), frac_limit));
+        }
         Frame {
             serial: shown.serial,
             title: self.scene.about.title.clone(),
@@ -169,7 +182,7 @@ impl Session {
             time: world.time(),
             dt: world.dt(),
             frac: world.model().frac,
-            frac_limit: world.frac_limit(),
+            frac_limit,
             stage: self.stage_name().to_owned(),
             stages: ((stage + 1).min(stages), stages),
             stage_cycles,
