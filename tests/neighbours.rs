@@ -221,3 +221,37 @@ fn velocities_of_the_boundary_survive_a_change_of_step() {
     let (v, _) = state(&mut world)[3];
     assert!((v[0] - 0.25).abs() < 1e-14 && (v[1] + 0.5).abs() < 1e-14);
 }
+
+#[test]
+fn a_resized_particle_weighs_touches_and_costs_what_its_size_says() {
+    let mut setup = two_particles(material(1e6, 0.0, 0.0), 0.05);
+    setup.ledger = true;
+    let radius = setup.particles[0].radius;
+    let mut world = world(setup);
+    run(&mut world, 5);
+    let before = world.particles().mass[0];
+    // It grows over the gap by a tenth of that gap more.
+    world.set_radius(0, radius + 0.055);
+    let ratio = (radius + 0.055) / radius;
+    let power = if world.model().body == ballast::engine::setup::Body::Disc {
+        2
+    } else {
+        3
+    };
+    let wanted = (0..power).fold(before, |mass, _| mass * ratio);
+    assert!((world.particles().mass[0] / wanted - 1.0).abs() < 1e-14);
+    world.settle();
+    // k α²/2 with α = 0.005 was put in by the command, and the contact pushes at once. Both stand at
+    // this boundary, so their half steps before and after it are opposite: -(F dt/2)²/(2 m) each.
+    let booked = world.bookings().unwrap().boundary_work;
+    let half = 0.5 * 1e6 * 0.005 * world.dt();
+    let masses = &world.particles().mass;
+    let opposite: f64 = masses.iter().map(|m| 0.5 * half * half / m).sum();
+    let wanted = 0.5 * 1e6 * 0.005 * 0.005 - opposite;
+    assert!((booked / wanted - 1.0).abs() < 1e-9, "{booked} {wanted}");
+    assert!(world.particles().force[0].f[0] < 0.0);
+    run(&mut world, 400);
+    // The contact is left inside a step, at most v dt before its end: an error of (ω dt)², with
+    // ω² = 2 k/m and dt = 0.1 · 2 √(m/k).
+    assert!(world.bookings().unwrap().energy_error.abs() < 0.08);
+}

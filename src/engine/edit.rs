@@ -306,6 +306,19 @@ impl World {
         });
     }
 
+    /// Changes the radius of particle p [m], and its mass with it; overlaps that this makes are work
+    /// of the command.
+    pub fn set_radius(&mut self, p: usize, radius: f64) {
+        self.booked(|world| {
+            let material = usize::from(world.particles.material[p]);
+            let density = world.model.materials[material].density;
+            let mass = Inertia::of(world.model.body, radius, density);
+            world.particles.row[p].radius = radius;
+            (world.particles.mass[p], world.particles.inertia[p]) = (mass.mass, mass.inertia);
+            world.rework();
+        });
+    }
+
     /// Sets the friction of every contact with the walls of this name. Such a wall gets a material
     /// of its own if it shares one.
     pub fn set_wall_friction(&mut self, name: &str, friction: f64) {

@@ -214,6 +214,16 @@ fn particle(world: &mut World, id: u32, change: &ParticleChange) -> Result<Strin
         ParticleChange::Velocity(v) => world.set_motion(p, Motion::Velocity(*v)),
         ParticleChange::Spin(spin) => world.set_motion(p, Motion::Spin(*spin)),
         ParticleChange::Force(force) => world.set_force(p, *force),
+        ParticleChange::Radius(radius) => {
+            world.set_radius(p, *radius);
+            let mass = world.particles().mass[p];
+            return Ok(format!(
+                "particle {id}: radius {} m, mass {} kg, dt = {:.6e} s",
+                figure(*radius),
+                figure(mass),
+                world.dt()
+            ));
+        }
         ParticleChange::Fix(fix) => {
             let now = world.particles().fixed[p];
             world.set_fixed(p, [now[0] | fix[0], now[1] | fix[1], now[2] | fix[2]]);

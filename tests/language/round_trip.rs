@@ -99,6 +99,7 @@ fn about_bodies() -> impl Strategy<Value = Command> {
         any::<[bool; 3]>()
             .prop_filter("something", |fixed| fixed.contains(&true))
             .prop_map(ParticleChange::Fix),
+        (1e-9..1e9f64).prop_map(ParticleChange::Radius),
         Just(ParticleChange::Free),
     ];
     prop_oneof![

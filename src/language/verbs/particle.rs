@@ -1,4 +1,4 @@
-//! `particle`: moves, pushes, fixes or frees one particle.
+//! `particle`: moves, pushes, resizes, fixes or frees one particle.
 
 use crate::language::command::{Command, vector};
 use crate::language::list::Card;
@@ -11,15 +11,17 @@ use std::fmt;
 pub const CARD: Card = Card {
     name: "particle",
     aliases: &[],
-    usage: "particle I velocity VX VY | spin W | force FX FY | fix x|y|spin | free",
-    summary: "moves, pushes, fixes or frees a particle",
-    detail: "Velocity in m/s, spin in rad/s, applied force in N. What is fixed keeps its velocity \
+    usage: "particle I velocity VX VY | spin W | force FX FY | radius R | fix x|y|spin | free",
+    summary: "moves, pushes, resizes, fixes or frees a particle",
+    detail: "Velocity in m/s, spin in rad/s, applied force in N, radius in m: mass and \
+             time step follow it. What is fixed keeps its velocity \
              whatever acts on it; several can be named at once. `free` lets all of them follow the \
              forces again.",
     examples: &[
         "particle 1 velocity 0 -0.5",
         "particle 1 spin 3.5",
         "particle 7 force 0 -12",
+        "particle 7 radius 1.2e-3",
         "particle 7 fix x spin",
         "particle 7 free",
     ],
@@ -36,6 +38,8 @@ pub enum ParticleChange {
     Spin(f64),
     /// Applied force [N].
     Force([f64; 2]),
+    /// Radius [m], above 0.
+    Radius(f64),
     /// Which of velocity in x, velocity in y and spin to prescribe from now on; the others stay
     /// as they are.
     Fix([bool; 3]),
@@ -56,6 +60,9 @@ fn parse(words: &mut Words<'_>) -> Result<Command, Mistake> {
         ("spin", |w| w.number("the spin").map(ParticleChange::Spin)),
         ("force", |w| {
             w.vector("the force").map(ParticleChange::Force)
+        }),
+        ("radius", |w| {
+            w.positive("the radius").map(ParticleChange::Radius)
         }),
         ("fix", fix),
         ("free", |_| Ok(ParticleChange::Free)),
@@ -80,6 +87,7 @@ impl fmt::Display for ParticleChange {
             Self::Velocity(v) => write!(f, "velocity {}", vector(*v)),
             Self::Spin(w) => write!(f, "spin {}", number::format(*w)),
             Self::Force(force) => write!(f, "force {}", vector(*force)),
+            Self::Radius(radius) => write!(f, "radius {}", number::format(*radius)),
             Self::Fix(fixed) => {
                 f.write_str("fix")?;
                 for (word, which) in FIXED {
