@@ -51,6 +51,12 @@ fn a_newcomer_watches_pauses_changes_exports_and_finds_the_history_again() {
     pty.keys("|");
     pty.keys(" ");
     pty.shows("DONE");
+    // On by hand, beyond the stages: the journal has to tell how far.
+    pty.keys(" ");
+    pty.shows("RUN");
+    std::thread::sleep(Duration::from_millis(200));
+    pty.keys(" ");
+    pty.shows("DONE");
     pty.keys(":export csv pile.csv\r");
     pty.shows("rows in pile.csv");
     pty.keys("\u{1b}");

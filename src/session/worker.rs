@@ -204,7 +204,7 @@ impl Desk {
     fn work(mut self) -> Box<Session> {
         loop {
             if !self.take_orders() {
-                self.save();
+                self.close();
                 return self.session;
             }
             let run = std::panic::AssertUnwindSafe(|| {
@@ -262,7 +262,7 @@ impl Desk {
                 self.tell(Report::Pace(pace));
             }
             Order::Replace(session, pace, keep) => {
-                self.save();
+                self.close();
                 self.keep = keep;
                 self.running = false;
                 self.session = session;
@@ -411,6 +411,14 @@ impl Desk {
         if let Some(keep) = &self.keep
             && let Err(error) = self.session.write_journal(&keep.journal)
         {
+            self.tell(Report::Notice(error.to_string()));
+        }
+    }
+
+    /// Saves the state, then ends the journal: a replay has to know how far the run went.
+    fn close(&mut self) {
+        self.save();
+        if let Err(error) = self.session.finish() {
             self.tell(Report::Notice(error.to_string()));
         }
     }

@@ -101,6 +101,8 @@ fn close(
         }
     }
     let status = signal.map_or(0, Signal::exit_status);
+    // After the checkpoint, which goes on as if nothing had ended; a replay stops here.
+    session.finish()?;
     Ok(Ended { status, farewell })
 }
 
