@@ -90,6 +90,7 @@ impl World {
             let (nn, tt) = (normal * normal.transpose(), shear * shear.transpose());
             k += count * (s.k[0] * nn + s.k[1] * tt);
             c += count * (s.c[0] * nn + s.c[1] * tt);
+            k[(2, 2)] += count * s.rolling * scale[2] * scale[2];
         }
         let stiffness = k.symmetric_eigenvalues().max();
         if stiffness <= 0.0 {

@@ -6,7 +6,7 @@
 //! velocities stay what they are at the boundary, whatever becomes of step and mass.
 
 use super::World;
-use super::contact::Reaction;
+use super::contact::quantities::Reaction;
 use super::fault::Fault;
 use super::motion::{self, Dragged};
 use super::neighbours::{Slot, Status};
@@ -353,6 +353,7 @@ impl World {
             friction: None,
             cohesion: None,
             restitution: None,
+            rolling_friction: None,
             normal_stiffness: None,
             shear_stiffness: None,
         })
@@ -401,7 +402,8 @@ impl World {
             }
             // The change is none of the FRACC monitor's business: no comparison with old sums.
             for p in 0..world.particles.len() {
-                world.particles.force[p] = world.contacts.sum::<true>(p);
+                world.particles.force[p] =
+                    world.contacts.sum::<true>(p, world.particles.row[p].radius);
             }
             world.settled = true;
         });

@@ -51,9 +51,7 @@ impl World {
                 hash.word(u64::MAX - u64::from(wall.wall));
             }
             hash.word(u64::from(*status == Status::Sliding));
-            for force in self.pass().reduced(k) {
-                hash.number(force);
-            }
+            self.pass().visit(k, &mut |number| hash.number(number));
         }
         hash.0
     }

@@ -35,10 +35,21 @@ pub struct Ledger {
 /// What is booked per particle [J]; contact losses go to the lower number.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 struct Account {
-    friction: f64,
+    friction: [f64; 2],
     dashpots: f64,
     drag: f64,
     work: f64,
+}
+
+impl Account {
+    fn add(&mut self, other: &Self) {
+        for (sum, loss) in self.friction.iter_mut().zip(other.friction) {
+            *sum += loss;
+        }
+        self.dashpots += other.dashpots;
+        self.drag += other.drag;
+        self.work += other.work;
+    }
 }
 
 /// Energies at a boundary [J].
@@ -50,7 +61,7 @@ pub struct Energies {
     pub rotational: f64,
     /// Normal springs.
     pub elastic_normal: f64,
-    /// Tangential springs.
+    /// Tangential springs, and those of rolling resistance.
     pub elastic_tangential: f64,
     /// Gravity, zero at the start.
     pub potential: f64,
@@ -61,8 +72,10 @@ pub struct Energies {
 /// Cumulative losses and work at a boundary [J].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Bookings {
-    /// Lost by sliding.
+    /// Lost by friction: sliding, slip within contacts, rolling.
     pub friction_loss: f64,
+    /// The part of it that was lost by slip within contacts.
+    pub slip_loss: f64,
     /// Lost in contact dashpots.
     pub damping_loss: f64,
     /// Lost by global, local and CON1 damping.
@@ -135,10 +148,7 @@ impl World {
         let ledger = self.ledger.as_ref()?;
         let mut total = ledger.closed;
         for account in &ledger.accounts {
-            total.friction += account.friction;
-            total.dashpots += account.dashpots;
-            total.drag += account.drag;
-            total.work += account.work;
+            total.add(account);
         }
         total.drag += self.pending_drag();
         let work = total.work + ledger.walls.iter().sum::<f64>() + ledger.commands;
@@ -149,10 +159,13 @@ impl World {
             + e.elastic_tangential
             + e.potential
             + e.transit;
-        let missing = stored + total.friction + total.dashpots + total.drag - ledger.opening - work;
+        let [sliding, slip] = total.friction;
+        let lost = sliding + slip + total.dashpots + total.drag;
+        let missing = stored + lost - ledger.opening - work;
         let scale = ledger.opening.abs() + ledger.turnover + e.potential.abs();
         Some(Bookings {
-            friction_loss: total.friction,
+            friction_loss: sliding + slip,
+            slip_loss: slip,
             damping_loss: total.dashpots,
             global_loss: total.drag,
             boundary_work: work,
@@ -225,10 +238,7 @@ impl World {
     pub(super) fn close_account(&mut self, p: usize) {
         if let Some(ledger) = &mut self.ledger {
             let account = ledger.accounts.remove(p);
-            ledger.closed.friction += account.friction;
-            ledger.closed.dashpots += account.dashpots;
-            ledger.closed.drag += account.drag;
-            ledger.closed.work += account.work;
+            ledger.closed.add(&account);
         }
     }
 
@@ -272,7 +282,11 @@ impl World {
             for (k, second) in self.contacts.of(p) {
                 if !second {
                     let book = self.pass().book(k);
-                    ledger.accounts[p].friction += book.friction_loss;
+                    for (sum, loss) in
+                        (ledger.accounts[p].friction.iter_mut()).zip(book.friction_loss)
+                    {
+                        *sum += loss;
+                    }
                     ledger.accounts[p].dashpots += book.damping_loss;
                 }
             }

@@ -177,7 +177,7 @@ pub(super) fn settle(
         for k in 0..stretch.rows.len() {
             let old = stretch.force[k];
             let p = stretch.first + k;
-            stretch.force[k] = inputs.contacts.sum::<true>(p);
+            stretch.force[k] = inputs.contacts.sum::<true>(p, stretch.rows[k].radius);
             if inputs.fracc {
                 let next = fracc4(
                     &inputs.mobility[p],
@@ -264,7 +264,7 @@ fn run<D: Drag, const GATHER: bool, const FRACC: bool>(
         let p = stretch.first + k;
         let mobility = &inputs.mobility[p];
         if GATHER {
-            let sum = inputs.contacts.sum::<FRACC>(p);
+            let sum = inputs.contacts.sum::<FRACC>(p, row.radius);
             if FRACC {
                 let next = fracc4(mobility, row, force, &sum);
                 if next > watch.fracc.0 {

@@ -2,12 +2,16 @@
 //!
 //! Three small matches give every combination; none is written out by hand.
 
-use super::contact::dashpot::{Undamped, Viscous};
+use super::contact::dashpot::{Constant, Following, Undamped};
+use super::contact::hertz::Hertz;
+use super::contact::hertz_mindlin::HertzMindlin;
+use super::contact::law::{Contact, Law};
 use super::contact::linear::{Frictionless, IncrementalNormal, LinearNormal, LinearShear};
+use super::contact::parts::{Normal, Rolling, Tangential, Viscosity};
 use super::contact::pass::{ContactPass, Pass};
-use super::contact::{Contact, Law, Normal, Tangential};
+use super::contact::rolling::{RollingSpring, Unresisted};
 use super::pair::PairTable;
-use super::setup::{LawChoice, NormalForm, Setup};
+use super::setup::{LawChoice, NormalForm, Setup, Unloading};
 
 /// Which parts are needed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -16,8 +20,12 @@ pub struct Plan {
     pub law: LawChoice,
     /// Form of its normal force.
     pub normal: NormalForm,
+    /// What a Hertz-Mindlin shear force does while the normal force falls.
+    pub unloading: Unloading,
     /// Whether any contact can carry a tangential force.
     pub friction: bool,
+    /// Whether any contact resists rolling.
+    pub rolling: bool,
     /// Whether any contact has a dashpot.
     pub dashpots: bool,
     /// Whether energies are booked.
@@ -36,14 +44,17 @@ impl Plan {
         let mut plan = Self {
             law: setup.law,
             normal: setup.normal,
+            unloading: setup.unloading,
             friction: false,
-            dashpots: false,
+            rolling: false,
+            dashpots: setup.damping.overlap_critical.is_some(),
             ledger,
         };
         for &a in used {
             let others = used.iter().map(|&b| pairs.get(a, b, false));
             for pair in others.chain(walls.iter().map(|&b| pairs.get(a, b, true))) {
                 plan.friction |= pair.is_frictional();
+                plan.rolling |= pair.resists_rolling();
                 plan.dashpots |= pair.is_damped();
             }
         }
@@ -53,32 +64,56 @@ impl Plan {
     /// The pass that models it.
     pub fn pass(self) -> Box<dyn ContactPass> {
         match (self.law, self.normal) {
-            (LawChoice::Linear, NormalForm::Total) => self.with_normal::<LinearNormal>(),
-            (LawChoice::Linear, NormalForm::Incremental) => self.with_normal::<IncrementalNormal>(),
+            (LawChoice::Linear, NormalForm::Total) => self.linear::<LinearNormal>(),
+            (LawChoice::Linear, NormalForm::Incremental) => self.linear::<IncrementalNormal>(),
+            (_, NormalForm::Total) => self.hertzian::<Hertz>(),
+            (_, NormalForm::Incremental) => self.hertzian::<Hertz>(),
         }
     }
 
-    fn with_normal<N: Normal>(self) -> Box<dyn ContactPass> {
+    fn linear<N: Normal>(self) -> Box<dyn ContactPass> {
         if self.friction {
-            self.with_tangential::<N, LinearShear>()
+            self.with_shear::<N, LinearShear, Constant>()
         } else {
-            self.with_tangential::<N, Frictionless>()
+            self.with_shear::<N, Frictionless, Constant>()
         }
     }
 
-    fn with_tangential<N: Normal, T: Tangential>(self) -> Box<dyn ContactPass> {
-        if self.dashpots {
-            self.with_law::<Contact<N, T, Viscous>>()
-        } else {
-            self.with_law::<Contact<N, T, Undamped>>()
+    fn hertzian<N: Normal>(self) -> Box<dyn ContactPass> {
+        match (self.friction, self.law, self.unloading) {
+            (false, ..) | (true, LawChoice::Hertz | LawChoice::Linear, _) => {
+                self.with_shear::<N, Frictionless, Following>()
+            }
+            (true, LawChoice::HertzMindlin, Unloading::Rescale) => {
+                self.with_shear::<N, HertzMindlin<false>, Following>()
+            }
+            (true, LawChoice::HertzMindlin, Unloading::Keep) => {
+                self.with_shear::<N, HertzMindlin<true>, Following>()
+            }
+            (true, LawChoice::MindlinDeresiewicz | LawChoice::MindlinDeresiewiczExact, _) => {
+                self.with_shear::<N, HertzMindlin<false>, Following>()
+            }
         }
     }
 
-    fn with_law<L: Law>(self) -> Box<dyn ContactPass> {
+    fn with_shear<N: Normal, T: Tangential, D: Viscosity>(self) -> Box<dyn ContactPass> {
+        match (self.rolling, self.dashpots) {
+            // Rare enough not to have its own undamped loop.
+            (true, _) => self.with_law::<N, T, RollingSpring, D>(),
+            (false, true) => self.with_law::<N, T, Unresisted, D>(),
+            (false, false) => self.with_law::<N, T, Unresisted, Undamped>(),
+        }
+    }
+
+    fn with_law<N: Normal, T: Tangential, R: Rolling, D: Viscosity>(self) -> Box<dyn ContactPass> {
         if self.ledger {
-            Box::new(Pass::<L, true>::new())
+            booked::<Contact<N, T, R, D>>()
         } else {
-            Box::new(Pass::<L, false>::new())
+            Box::new(Pass::<Contact<N, T, R, D>, false>::new())
         }
     }
+}
+
+fn booked<L: Law>() -> Box<dyn ContactPass> {
+    Box::new(Pass::<L, true>::new())
 }

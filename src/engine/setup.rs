@@ -16,6 +16,14 @@ pub enum Body {
 pub enum LawChoice {
     /// Linear springs with a Coulomb and cohesion limit (Cundall & Strack 1979, (16)-(19)).
     Linear,
+    /// Hertz, frictionless (Randall 1989, (3.13)).
+    Hertz,
+    /// Hertz with Mindlin's initial shear stiffness 8 G* a.
+    HertzMindlin,
+    /// Hertz with Mindlin and Deresiewicz's partial slip, two reversals remembered (Randall 1989, 4.3).
+    MindlinDeresiewicz,
+    /// Hertz with partial slip, the whole history remembered as a memory diagram.
+    MindlinDeresiewiczExact,
 }
 
 /// How the normal force follows from the motion.
@@ -25,6 +33,15 @@ pub enum NormalForm {
     Total,
     /// Summed from increments of relative velocity, as printed in 1979: drifts, historical replay only.
     Incremental,
+}
+
+/// What a Hertz-Mindlin shear force does while the normal force falls.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Unloading {
+    /// It falls with the contact radius.
+    Rescale,
+    /// It stays, up to the friction limit.
+    Keep,
 }
 
 /// The step that FRAC multiplies.
@@ -84,6 +101,11 @@ pub struct Damping {
     pub con1: f64,
     /// Cundall's local non-viscous damping: force λ|ΣF| against the velocity.
     pub local: f64,
+    /// Whether dashpots act on the velocity at the boundary instead of the half step before it.
+    pub centred: bool,
+    /// Overlap above which a contact is damped critically, over the smallest diameter (Randall 1989,
+    /// 6.4.3).
+    pub overlap_critical: Option<f64>,
 }
 
 impl Default for Damping {
@@ -96,6 +118,8 @@ impl Default for Damping {
             global: 0.0,
             con1: 1.0,
             local: 0.0,
+            centred: false,
+            overlap_critical: None,
         }
     }
 }
@@ -119,6 +143,8 @@ pub struct Material {
     pub normal_stiffness: Option<f64>,
     /// Shear stiffness [N/m].
     pub shear_stiffness: Option<f64>,
+    /// Coefficient of rolling friction μ_r [-]; a pair uses the smaller.
+    pub rolling_friction: f64,
     /// Infinitely stiff partner (walls).
     pub rigid: bool,
 }
@@ -130,6 +156,8 @@ pub struct PairOverride {
     pub materials: [usize; 2],
     /// Friction coefficient [-].
     pub friction: Option<f64>,
+    /// Coefficient of rolling friction [-].
+    pub rolling_friction: Option<f64>,
     /// Cohesion [N].
     pub cohesion: Option<f64>,
     /// Coefficient of restitution [-], instead of the scene's contact damping.
@@ -193,6 +221,10 @@ pub struct Setup {
     pub law: LawChoice,
     /// Total or incremental normal force.
     pub normal: NormalForm,
+    /// What a Hertz-Mindlin shear force does while the normal force falls.
+    pub unloading: Unloading,
+    /// Largest number of nodes in the memory of a contact with exact partial slip.
+    pub nodes: u8,
     /// Step that `frac` multiplies.
     pub time_step: TimeStepChoice,
     /// Multiple of that step.

@@ -28,6 +28,8 @@ pub struct WallTouch {
     pub distance: f64,
     /// Velocity of the wall at the contact [m/s].
     pub v: [f64; 2],
+    /// Spin of the wall [rad/s].
+    pub spin: f64,
     /// The contact point on the wall [m].
     pub at: [f64; 2],
 }
@@ -71,6 +73,7 @@ pub(super) fn locate(
                 e,
                 distance,
                 v: wall.velocity_at(corner),
+                spin: wall.spin,
                 at: corner,
             },
             None,
@@ -90,6 +93,7 @@ pub(super) fn locate(
             e,
             distance,
             v: wall.velocity_at(at),
+            spin: wall.spin,
             at,
         },
         None,

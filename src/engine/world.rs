@@ -37,6 +37,8 @@ pub struct World {
     pub(super) settled: bool,
     pub(super) fracc: FraccMonitor,
     pub(super) tol: f64,
+    /// Overlap above which a contact is damped critically [m].
+    pub(super) critical_above: f64,
     /// Size of the scene at the start, for finding lost particles [m].
     pub(super) size: f64,
     pub(super) next_id: u32,
@@ -96,6 +98,7 @@ impl World {
             settled: false,
             fracc: FraccMonitor::default(),
             tol: if tol.is_finite() { tol } else { 1.0 },
+            critical_above: f64::INFINITY,
             size,
             memory: Vec::new(),
             pass: None,
@@ -255,14 +258,14 @@ impl World {
 
     /// Chooses the pass anew and prepares every contact; memory carries over in reduced form.
     pub(super) fn replan(&mut self) {
+        self.critical_above = self.critical_overlap();
         let mut pass = self.plan().pass();
         let old = vec![u32::MAX; self.contacts.len()];
         pass.relist(&old, self.room(), &|k| self.basis(k));
         if let Some(before) = self.pass.take() {
-            for k in 0..self.contacts.len() {
-                pass.seed(k, before.reduced(k), before.book(k));
-            }
+            pass.take_over(before.as_ref(), &|k| self.geometry(k).overlap);
         }
+        self.contacts.rolls = pass.rolling();
         self.pass = Some(pass);
         self.weigh();
         self.note_spins();
@@ -295,9 +298,12 @@ impl World {
                 .get(p.material[i] as usize, p.material[j] as usize, false);
             let sum = inverse(i) + inverse(j);
             // Two driven particles: any finite mass will do, nothing answers their force.
+            let [a, b] = [p.row[i].radius, p.row[j].radius];
             return BasisOwned {
                 pair,
                 m_eff: if sum > 0.0 { 1.0 / sum } else { p.mass[i] },
+                r_eff: a * b / (a + b),
+                critical_above: self.critical_above,
             };
         }
         let wall = &self.contacts.walls[k - self.contacts.pairs.len()];
@@ -307,6 +313,16 @@ impl World {
         BasisOwned {
             pair,
             m_eff: p.mass[i],
+            r_eff: p.row[i].radius,
+            critical_above: self.critical_above,
+        }
+    }
+
+    /// Overlap above which a contact is damped critically [m].
+    fn critical_overlap(&self) -> f64 {
+        match self.model.damping.overlap_critical {
+            None => f64::INFINITY,
+            Some(share) => share * 2.0 * self.particles.smallest_radius(),
         }
     }
 

@@ -81,6 +81,7 @@ impl<'a> Sample<'a> {
         self.bookings.get_or_init(|| {
             let none = Bookings {
                 friction_loss: f64::NAN,
+                slip_loss: f64::NAN,
                 damping_loss: f64::NAN,
                 global_loss: f64::NAN,
                 boundary_work: f64::NAN,
@@ -146,6 +147,7 @@ impl<'a> Sample<'a> {
             "elastic_tangential" => self.energies().elastic_tangential,
             "potential" => self.energies().potential,
             "friction_loss" => self.bookings().friction_loss,
+            "slip_loss" => self.bookings().slip_loss,
             "damping_loss" => self.bookings().damping_loss,
             "global_loss" => self.bookings().global_loss,
             "boundary_work" => self.bookings().boundary_work,
@@ -240,6 +242,8 @@ mod tests {
             body: Body::Disc,
             law: LawChoice::Linear,
             normal: NormalForm::Total,
+            unloading: Unloading::Rescale,
+            nodes: 16,
             time_step: TimeStepChoice::Critical,
             frac: 0.1,
             rotation: true,
@@ -257,6 +261,7 @@ mod tests {
                 cohesion: 0.0,
                 normal_stiffness: Some(1e3),
                 shear_stiffness: Some(1e3),
+                rolling_friction: 0.0,
                 rigid: false,
             }],
             pairs: vec![],

@@ -80,6 +80,22 @@ const KEYS: &[Key] = &[
             "share of the out-of-balance force that opposes the velocity",
         )
     },
+    Key {
+        form: Form::Number(Bounds::POSITIVE),
+        ..number(
+            "overlap_critical",
+            Absent::Said("never"),
+            "overlap over the smallest diameter above which a contact is damped critically; 0.07 in 1989",
+        )
+    },
+    Key {
+        form: Form::Flag,
+        ..number(
+            "centred",
+            Absent::Flag(false),
+            "whether normal dashpots act on the velocity at the boundary, not half a step before",
+        )
+    },
 ];
 
 /// An impact that stops dead needs an infinite dashpot.
@@ -116,6 +132,8 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
         global: number("global"),
         con1: number("con1"),
         local: number("local"),
+        centred: reader.flag("centred").unwrap_or_default(),
+        overlap_critical: reader.number("overlap_critical"),
     };
 }
 

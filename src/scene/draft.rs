@@ -8,7 +8,9 @@ use super::place::{Place, quoted};
 use super::problem::{Problem, Report};
 use super::stage::Stage;
 use super::{about::About, reader::Reader};
-use crate::engine::setup::{Body, Damping, LawChoice, NormalForm, Setup, TimeStepChoice};
+use crate::engine::setup::{
+    Body, Damping, LawChoice, NormalForm, Setup, TimeStepChoice, Unloading,
+};
 use crate::language::{Command, Known, Mistake};
 use crate::measure::columns::{Column, Names, nearest};
 use crate::measure::region::Region;
@@ -70,6 +72,8 @@ impl<'a> Draft<'a> {
                 body: Body::Sphere,
                 law: LawChoice::Linear,
                 normal: NormalForm::Total,
+                unloading: Unloading::Rescale,
+                nodes: 16,
                 time_step: TimeStepChoice::Critical,
                 frac: 0.0,
                 rotation: true,

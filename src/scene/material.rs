@@ -49,6 +49,13 @@ const KEYS: &[Key] = &[
         "cohesion of a touching contact in shear; a pair uses the smaller",
     ),
     number(
+        "rolling_friction",
+        Bounds::NOT_NEGATIVE,
+        "-",
+        Absent::Number(0.0),
+        "coefficient of rolling friction; a pair uses the smaller",
+    ),
+    number(
         "normal_stiffness",
         Bounds::POSITIVE,
         "N/m",
@@ -118,6 +125,7 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
         cohesion: cohesion.unwrap_or_default(),
         normal_stiffness: reader.number("normal_stiffness"),
         shear_stiffness: reader.number("shear_stiffness"),
+        rolling_friction: reader.number("rolling_friction").unwrap_or_default(),
         rigid: rigid.unwrap_or_default(),
     });
     draft.known.materials.push(entry.key.clone());

@@ -5,7 +5,8 @@ use super::gravity;
 use super::key::{Absent, Bounds, Form, Key};
 use super::reader::{Reader, WordOrNumber};
 use super::section::{Section, Shape};
-use crate::engine::setup::{Body, LawChoice, NormalForm, TimeStepChoice};
+use crate::engine::contact::laws;
+use crate::engine::setup::{Body, LawChoice, NormalForm, TimeStepChoice, Unloading};
 
 /// The declaration.
 pub(crate) const SECTION: Section = Section {
@@ -18,14 +19,14 @@ pub(crate) const SECTION: Section = Section {
 };
 
 /// Contact laws by name.
-const LAWS: &[&str] = &["linear"];
+const LAW_NAMES: &[&str] = &laws::NAMES;
 
 const KEYS: &[Key] = &[
     Key {
         name: "law",
-        form: Form::Word(LAWS),
+        form: Form::Word(LAW_NAMES),
         unit: "-",
-        absent: Absent::Said("\"linear\" for discs; spheres have to name one"),
+        absent: Absent::Said("\"mindlin-deresiewicz-exact\" for spheres, \"linear\" for discs"),
         summary: "contact law",
     },
     Key {
@@ -34,6 +35,21 @@ const KEYS: &[Key] = &[
         unit: "-",
         absent: Absent::Word("total"),
         summary: "normal force from the overlap itself, or summed from increments as in 1979",
+    },
+    Key {
+        name: "unloading",
+        form: Form::Word(&["rescale", "keep"]),
+        unit: "-",
+        absent: Absent::Word("rescale"),
+        summary: "what the shear force of hertz-mindlin does while the normal force falls: it falls \
+                  with the contact radius, or stays (and can gain energy)",
+    },
+    Key {
+        name: "nodes",
+        form: Form::Count(4, 64),
+        unit: "-",
+        absent: Absent::Count(16),
+        summary: "most nodes in the memory of a contact with exact partial slip",
     },
     Key {
         name: "body",
@@ -110,6 +126,11 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
         Some("incremental") => NormalForm::Incremental,
         _ => NormalForm::Total,
     };
+    setup.unloading = match reader.word("unloading") {
+        Some("keep") => Unloading::Keep,
+        _ => Unloading::Rescale,
+    };
+    setup.nodes = reader.count("nodes").unwrap_or_default() as u8;
     setup.time_step = given.unwrap_or(match body {
         Body::Sphere => TimeStepChoice::Rayleigh,
         Body::Disc => TimeStepChoice::Critical,
@@ -140,26 +161,11 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
 
 fn law(reader: &Reader<'_>, body: Body) -> Option<LawChoice> {
     match (reader.has("law"), body) {
-        (true, _) => match reader.word("law") {
-            Some("linear") => Some(LawChoice::Linear),
-            _ => None,
-        },
+        (true, _) => laws::choice(reader.word("law")?),
         // Which default is meant is not known.
         (false, _) if reader.has("body") && reader.word("body").is_none() => None,
         (false, Body::Disc) => Some(LawChoice::Linear),
-        (false, Body::Sphere) => {
-            reader.refuse(
-                "law",
-                "[model] has no `law`, and spheres have no default one yet",
-                "`law` is missing here",
-                &format!(
-                    "add law = \"{}\", or body = \"disc\" if discs are meant; laws: {}",
-                    LAWS[0],
-                    LAWS.join(", ")
-                ),
-            );
-            None
-        }
+        (false, Body::Sphere) => Some(LawChoice::MindlinDeresiewiczExact),
     }
 }
 

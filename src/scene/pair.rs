@@ -40,6 +40,13 @@ const KEYS: &[Key] = &[
         "cohesion in shear",
     ),
     number(
+        "rolling_friction",
+        Bounds::NOT_NEGATIVE,
+        "-",
+        "the smaller of the two",
+        "coefficient of rolling friction",
+    ),
+    number(
         "restitution",
         super::damping::RESTITUTION,
         "-",
@@ -80,6 +87,7 @@ const fn number(
 
 fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
     let friction = reader.number("friction");
+    let rolling_friction = reader.number("rolling_friction");
     let cohesion = reader.number("cohesion");
     let restitution = reader.number("restitution");
     let normal_stiffness = reader.number("normal_stiffness");
@@ -118,6 +126,7 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
     draft.setup.pairs.push(PairOverride {
         materials,
         friction,
+        rolling_friction,
         cohesion,
         restitution,
         normal_stiffness,

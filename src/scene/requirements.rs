@@ -3,6 +3,7 @@
 use super::draft::Draft;
 use super::place::Place;
 use super::problem::Problem;
+use crate::engine::contact::laws;
 use crate::engine::setup::{LawChoice, Material, TimeStepChoice};
 use crate::language::Command;
 use crate::language::command::{FrictionOf, Property};
@@ -39,9 +40,11 @@ pub(crate) fn check(draft: &Draft<'_>) {
         if by_any[k] {
             match setup.law {
                 LawChoice::Linear => lacks.linear(k),
+                _ => lacks.elastic(setup.law),
             }
         }
-        if by_particle[k] {
+        // Once is enough.
+        if by_particle[k] && (setup.law == LawChoice::Linear || !by_any[k]) {
             lacks.time_step();
         }
     }
@@ -54,6 +57,16 @@ struct Lacks<'d, 'a> {
 }
 
 impl Lacks<'_, '_> {
+    fn elastic(&self, law: LawChoice) {
+        let why = format!("the law {}", laws::name(law));
+        if self.material.young.is_none() {
+            self.report("young", "Pa", &why, None);
+        }
+        if self.material.poisson.is_none() {
+            self.report("poisson", "-", &why, None);
+        }
+    }
+
     fn linear(&self, k: usize) {
         let material = self.material;
         if material.normal_stiffness.is_none() {

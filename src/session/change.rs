@@ -261,6 +261,7 @@ fn property(world: &mut World, material: &str, key: Property, value: f64) -> Str
                 Property::Density => m.density = value,
                 Property::Friction => m.friction = value,
                 Property::Cohesion => m.cohesion = value,
+                Property::RollingFriction => m.rolling_friction = value,
                 Property::NormalStiffness => m.normal_stiffness = Some(value),
                 Property::ShearStiffness => m.shear_stiffness = Some(value),
                 Property::Young => m.young = Some(value),
@@ -291,6 +292,14 @@ fn damping(now: Damping, damper: Damper, value: f64) -> Damping {
         },
         Damper::Beta => Damping {
             contact: Dashpot::Beta(value),
+            ..now
+        },
+        Damper::Restitution => Damping {
+            contact: Dashpot::Restitution(value),
+            ..now
+        },
+        Damper::Overlap => Damping {
+            overlap_critical: (value > 0.0).then_some(value),
             ..now
         },
         Damper::Global => Damping {
@@ -351,6 +360,7 @@ fn pair_friction(model: &mut Setup, materials: [usize; 2], value: f64) {
         None => model.pairs.push(PairOverride {
             materials,
             friction: Some(value),
+            rolling_friction: None,
             cohesion: None,
             restitution: None,
             normal_stiffness: None,

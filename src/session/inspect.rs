@@ -188,11 +188,15 @@ fn energies(world: &World, k: usize, overlap: f64) -> Vec<(&'static str, String)
     if world.ledger().is_some() {
         let book = world.pass().book(k);
         let lost = format!(
-            "sliding {} J, dashpots {} J",
-            figure(book.friction_loss),
+            "sliding {} J, slip {} J, dashpots {} J",
+            figure(book.friction_loss[0]),
+            figure(book.friction_loss[1]),
             figure(book.damping_loss)
         );
         rows.push(("lost in the last cycle", lost));
+        let [sliding, slip, dashpots] = book.lost.map(figure);
+        let lost = format!("sliding {sliding} J, slip {slip} J, dashpots {dashpots} J");
+        rows.push(("lost since first touch", lost));
         let delta = format!("{} m since first touch", figure(book.delta));
         rows.push(("tangential displacement", delta));
     } else {

@@ -7,7 +7,7 @@
 use ballast::engine::World;
 use ballast::engine::setup::{
     Body, Damping, Dashpot, LawChoice, Material, NormalForm, ParticleSetup, Setup, TimeStepChoice,
-    WallSetup,
+    Unloading, WallSetup,
 };
 
 /// Normal stiffness, density and radius of the discs of Cundall & Strack 1979.
@@ -20,12 +20,14 @@ pub(crate) fn material(normal: f64, shear: f64, friction: f64) -> Material {
     Material {
         name: "disc".into(),
         density: DENSITY,
-        young: None,
-        poisson: None,
+        // About as stiff as the springs at an overlap of 0.005 radii.
+        young: Some(27.0 * normal),
+        poisson: Some(0.3),
         friction,
         cohesion: 0.0,
         normal_stiffness: Some(normal),
         shear_stiffness: Some(shear),
+        rolling_friction: 0.0,
         rigid: false,
     }
 }
@@ -37,6 +39,8 @@ pub(crate) fn scene(material: Material) -> Setup {
         body: Body::Disc,
         law: LawChoice::Linear,
         normal: NormalForm::Total,
+        unloading: Unloading::Rescale,
+        nodes: 16,
         time_step: TimeStepChoice::Critical,
         frac: 0.1,
         rotation: true,

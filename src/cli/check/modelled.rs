@@ -19,7 +19,18 @@ pub(super) fn describe(report: &mut Report, scene: &Scene, world: &World) {
         (LawChoice::Linear, NormalForm::Incremental) => {
             "linear contacts with the normal force summed from increments"
         }
+        (_, NormalForm::Total) => "Hertz contacts",
+        (_, NormalForm::Incremental) => {
+            "Hertz contacts with the normal force summed from increments"
+        }
     });
+    if plan.friction && model.law != LawChoice::Linear {
+        yes.push(match model.law {
+            LawChoice::HertzMindlin => "shear by Mindlin's initial stiffness",
+            LawChoice::MindlinDeresiewicz => "partial slip with two reversals",
+            _ => "partial slip with the whole history",
+        });
+    }
     let separate = model.damping.wall.is_some_and(|wall| wall != Dashpot::None)
         && model.damping.wall != Some(model.damping.contact);
     let gravity = match model.gravity {
@@ -29,7 +40,12 @@ pub(super) fn describe(report: &mut Report, scene: &Scene, world: &World) {
     for (is, what) in [
         (plan.friction, "friction"),
         (plan.friction && model.rotation, "rotation"),
+        (plan.rolling, "rolling resistance"),
         (plan.dashpots, "contact damping"),
+        (
+            model.damping.overlap_critical.is_some(),
+            "critical damping of large overlaps",
+        ),
         (model.damping.global != 0.0, "global damping"),
         (model.damping.local != 0.0, "local damping"),
         (model.damping.con1 != 1.0, "con1 damping"),

@@ -3,8 +3,8 @@
 //! Cundall & Strack 1979, (26) to (28): forces from the velocities of the last half step, the
 //! tangential one off while the contact slides.
 
-use super::{Basis, Viscosity};
-use crate::engine::setup::Dashpot;
+use super::parts::Viscosity;
+use super::quantities::{Basis, Touch};
 
 /// No dashpot.
 #[derive(Debug, Clone, Copy)]
@@ -16,77 +16,167 @@ impl Viscosity for Undamped {
     }
 
     #[inline(always)]
-    fn normal(&self, _: f64) -> f64 {
-        0.0
+    fn normal(&self, elastic: f64, _: f64, _: &Touch) -> f64 {
+        // A spring that was summed up from increments may have gone below zero.
+        if elastic > 0.0 { elastic } else { 0.0 }
     }
 
     #[inline(always)]
-    fn tangential(&self, _: f64) -> f64 {
+    fn tangential(&self, _: f64, _: &Touch) -> f64 {
         0.0
     }
 
-    #[inline(always)]
-    fn floor(&self) -> f64 {
-        0.0
-    }
-
-    fn viscosity(&self) -> [f64; 2] {
+    fn viscosity(&self, _: [f64; 2], _: f64) -> [f64; 2] {
         [0.0; 2]
     }
 }
 
-/// Constant viscosities.
+/// What a dashpot does to the normal force, whatever its viscosity.
 #[derive(Debug, Clone, Copy)]
-pub struct Viscous {
-    c_n: f64,
-    c_s: f64,
+struct Rule {
+    /// Overlap above which the contact is damped critically [m].
+    above: f64,
+    /// The least the total normal force may be [N].
     floor: f64,
+    /// 1/(2 M*) for the centred form, 0 for velocities of the half step before [1/kg].
+    centre: f64,
 }
 
-impl Viscosity for Viscous {
+impl Rule {
+    fn of(basis: &Basis<'_>) -> Self {
+        let pair = basis.pair;
+        Self {
+            above: basis.critical_above,
+            floor: if pair.pull { f64::NEG_INFINITY } else { 0.0 },
+            centre: if pair.centred { 0.5 / basis.m_eff } else { 0.0 },
+        }
+    }
+
+    /// Spring and dashpot together [N]. Centred: the velocity at the boundary itself, as far as the
+    /// force of this contact makes it, v - F dt/(2 M*), solved for F.
+    #[inline(always)]
+    fn normal(&self, elastic: f64, c: f64, touch: &Touch) -> f64 {
+        let mut sum = elastic + c * touch.approach;
+        if self.centre > 0.0 {
+            sum /= 1.0 + c * self.centre * touch.dt;
+        }
+        if sum > self.floor { sum } else { self.floor }
+    }
+}
+
+/// Dashpots of constant viscosity, beside constant springs.
+#[derive(Debug, Clone, Copy)]
+pub struct Constant {
+    c: [f64; 2],
+    critical: [f64; 2],
+    rule: Rule,
+}
+
+impl Constant {
+    #[inline(always)]
+    fn at(&self, part: usize, overlap: f64) -> f64 {
+        if overlap > self.rule.above {
+            self.critical[part]
+        } else {
+            self.c[part]
+        }
+    }
+}
+
+impl Viscosity for Constant {
     fn prepare(basis: &Basis<'_>) -> Self {
-        let Basis { pair, m_eff } = basis;
+        let Basis { pair, m_eff, .. } = basis;
         let (k_n, k_s) = (pair.normal_stiffness, pair.shear_stiffness);
         let critical = |b: f64, k: f64| 2.0 * b * (m_eff * k).sqrt();
-        let (c_n, fraction) = match pair.dashpot {
-            Dashpot::None => (0.0, 0.0),
-            Dashpot::Fraction(b) => (critical(b, k_n), b),
-            Dashpot::Restitution(e) => {
-                let b = fraction_for_restitution(e, pair.pull);
-                (critical(b, k_n), b)
-            }
-            Dashpot::Beta(beta) => (beta * k_n, 0.0),
-        };
-        let c_s = match (pair.tangential, pair.dashpot) {
-            (Some(b), _) => critical(b, k_s),
-            (None, Dashpot::Beta(beta)) => beta * k_s,
-            (None, _) => critical(fraction, k_s),
-        };
+        // One of the two is zero, and adding zero changes no bit.
+        let c = |part: usize, k: f64| critical(pair.fraction[part], k) + pair.beta[part] * k;
         Self {
-            c_n,
-            c_s,
-            floor: if pair.pull { f64::NEG_INFINITY } else { 0.0 },
+            c: [c(0, k_n), c(1, k_s)],
+            critical: [critical(1.0, k_n), critical(1.0, k_s)],
+            rule: Rule::of(basis),
         }
     }
 
     #[inline(always)]
-    fn normal(&self, approach: f64) -> f64 {
-        self.c_n * approach
+    fn normal(&self, elastic: f64, _: f64, touch: &Touch) -> f64 {
+        self.rule.normal(elastic, self.at(0, touch.overlap), touch)
     }
 
     #[inline(always)]
-    fn tangential(&self, slide: f64) -> f64 {
-        self.c_s * slide
+    fn tangential(&self, _: f64, touch: &Touch) -> f64 {
+        self.at(1, touch.overlap) * touch.slide
+    }
+
+    fn viscosity(&self, _: [f64; 2], overlap: f64) -> [f64; 2] {
+        [self.at(0, overlap), self.at(1, overlap)]
+    }
+}
+
+/// Dashpots that follow the stiffness of the springs beside them: c = 2 b √(M* k), Randall 1989,
+/// (4.13), or c = β k.
+#[derive(Debug, Clone, Copy)]
+pub struct Following {
+    /// 2 b √M* [kg^½].
+    gauge: [f64; 2],
+    /// 2 √M* [kg^½].
+    critical: f64,
+    /// c/k [s].
+    beta: [f64; 2],
+    rule: Rule,
+}
+
+impl Following {
+    #[inline(always)]
+    fn at(&self, part: usize, k: f64, overlap: f64) -> f64 {
+        if overlap > self.rule.above {
+            self.critical * k.sqrt()
+        } else {
+            self.gauge[part] * k.sqrt() + self.beta[part] * k
+        }
+    }
+}
+
+impl Viscosity for Following {
+    fn prepare(basis: &Basis<'_>) -> Self {
+        let pair = basis.pair;
+        let critical = 2.0 * basis.m_eff.sqrt();
+        Self {
+            gauge: pair.fraction.map(|b| b * critical),
+            critical,
+            beta: pair.beta,
+            rule: Rule::of(basis),
+        }
     }
 
     #[inline(always)]
-    fn floor(&self) -> f64 {
-        self.floor
+    fn normal(&self, elastic: f64, stiffness: f64, touch: &Touch) -> f64 {
+        let c = self.at(0, stiffness, touch.overlap);
+        self.rule.normal(elastic, c, touch)
     }
 
-    fn viscosity(&self) -> [f64; 2] {
-        [self.c_n, self.c_s]
+    #[inline(always)]
+    fn tangential(&self, stiffness: f64, touch: &Touch) -> f64 {
+        self.at(1, stiffness, touch.overlap) * touch.slide
     }
+
+    fn viscosity(&self, k: [f64; 2], overlap: f64) -> [f64; 2] {
+        [self.at(0, k[0], overlap), self.at(1, k[1], overlap)]
+    }
+}
+
+/// The fraction b of critical that gives a coefficient of restitution beside a Hertz spring, with
+/// c = 2 b √(M* 2 E* a).
+///
+/// With y ∝ α^{5/4} and time stretched by α^{1/4} the damped Hertz impact is the damped linear one
+/// (Antypov & Elliott 2011), of fraction √(6/5) b and ending at the same instant, with or without
+/// pull: the restitution depends on neither size nor speed.
+pub fn hertz_fraction_for_restitution(e: f64, pull: bool) -> f64 {
+    fraction_for_restitution(e, pull) / 1.2f64.sqrt()
+}
+
+/// The reverse of [`hertz_fraction_for_restitution`].
+pub fn hertz_restitution_for_fraction(b: f64, pull: bool) -> f64 {
+    restitution_for_fraction(1.2f64.sqrt() * b, pull)
 }
 
 /// Restitution of a linear spring and dashpot with fraction b of critical.
@@ -154,6 +244,20 @@ mod tests {
                 );
             }
         }
+    }
+
+    /// Values of numerical integration to 1e-7 (data/reference/hertz_damping_restitution.csv).
+    #[test]
+    fn hertz_restitution_has_a_closed_form() {
+        for (b, pulled, clamped) in [
+            (0.01, 0.966_169_023, 0.966_400_950),
+            (0.1, 0.707_351_285, 0.724_673_546),
+        ] {
+            assert!((hertz_restitution_for_fraction(b, true) - pulled).abs() < 1e-7);
+            assert!((hertz_restitution_for_fraction(b, false) - clamped).abs() < 1e-7);
+        }
+        let b = hertz_fraction_for_restitution(0.5, false);
+        assert!((hertz_restitution_for_fraction(b, false) - 0.5).abs() < 1e-15);
     }
 
     #[test]

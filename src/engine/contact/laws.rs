@@ -30,55 +30,77 @@ pub struct Card {
     pub source: &'static str,
 }
 
-const FRICTION: Parameter = Parameter {
-    key: "friction",
-    unit: "-",
-    summary: "tan φ_μ, the smaller of the pair",
-};
+impl Card {
+    /// Whether contacts of this law can carry a tangential force.
+    pub fn shears(&self) -> bool {
+        self.choice != LawChoice::Hertz
+    }
+}
+
+const fn parameter(key: &'static str, unit: &'static str, summary: &'static str) -> Parameter {
+    Parameter { key, unit, summary }
+}
+
+const FRICTION: Parameter = parameter("friction", "-", "tan φ_μ, the smaller of the pair");
+const COHESION: Parameter = parameter("cohesion", "N", "added to the shear limit");
+const YOUNG: Parameter = parameter("young", "Pa", "Young's modulus");
+const POISSON: Parameter = parameter("poisson", "-", "Poisson's ratio");
 
 /// All laws.
-pub const LAWS: &[Card] = &[Card {
-    name: "linear",
-    choice: LawChoice::Linear,
-    summary: "linear springs, Coulomb and cohesion limit, dashpots",
-    parameters: &[
-        Parameter {
-            key: "normal_stiffness",
-            unit: "N/m",
-            summary: "normal spring",
-        },
-        Parameter {
-            key: "shear_stiffness",
-            unit: "N/m",
-            summary: "shear spring",
-        },
-        FRICTION,
-        Parameter {
-            key: "cohesion",
-            unit: "N",
-            summary: "added to the shear limit",
-        },
-    ],
-    memory: [0, 8],
-    source: "Cundall & Strack 1979, (16)-(19), (26)-(28)",
-}];
+pub const LAWS: &[Card] = &[
+    Card {
+        name: "linear",
+        choice: LawChoice::Linear,
+        summary: "linear springs, Coulomb and cohesion limit, dashpots",
+        parameters: &[
+            parameter("normal_stiffness", "N/m", "normal spring"),
+            parameter("shear_stiffness", "N/m", "shear spring"),
+            FRICTION,
+            COHESION,
+        ],
+        memory: [0, 8],
+        source: "Cundall & Strack 1979, (16)-(19), (26)-(28)",
+    },
+    Card {
+        name: "hertz",
+        choice: LawChoice::Hertz,
+        summary: "Hertz spheres without friction",
+        parameters: &[YOUNG, POISSON],
+        memory: [0, 0],
+        source: "Hertz 1882; Randall 1989, (3.13)",
+    },
+    Card {
+        name: "hertz-mindlin",
+        choice: LawChoice::HertzMindlin,
+        summary: "Hertz with Mindlin's initial shear stiffness 8 G* a, no slip before all slides",
+        parameters: &[YOUNG, POISSON, FRICTION, COHESION],
+        memory: [0, 16],
+        source: "Mindlin 1949; Thornton, Cummins & Cleary 2011",
+    },
+];
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::engine::contact::linear::{Frictionless, LinearNormal, LinearShear};
-    use crate::engine::contact::{Normal, Tangential};
-
-    #[test]
-    fn cards_tell_the_memory_that_is_used() {
-        let normal = size_of::<<LinearNormal as Normal>::Memory>();
-        assert_eq!(
-            LAWS[0].memory[0],
-            normal + size_of::<<Frictionless as Tangential>::Memory>()
-        );
-        assert_eq!(
-            LAWS[0].memory[1],
-            normal + size_of::<<LinearShear as Tangential>::Memory>()
-        );
+/// Their names, for keys of presets.
+pub const NAMES: [&str; LAWS.len()] = {
+    let mut names = [""; LAWS.len()];
+    let mut k = 0;
+    while k < names.len() {
+        names[k] = LAWS[k].name;
+        k += 1;
     }
+    names
+};
+
+/// The law of a name.
+pub fn choice(name: &str) -> Option<LawChoice> {
+    let card = LAWS.iter().find(|card| card.name == name)?;
+    Some(card.choice)
+}
+
+/// The name of a law.
+///
+/// # Panics
+/// If a law is missing in the list.
+pub fn name(choice: LawChoice) -> &'static str {
+    let card = LAWS.iter().find(|card| card.choice == choice);
+    card.expect("every law has its row").name
 }

@@ -6,7 +6,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::memory::Memory;
-use super::{Basis, Load, Normal, Shear, Tangential, Touch};
+use super::parts::{Normal, Tangential};
+use super::quantities::{Basis, Load, Shear, Touch};
 
 /// Normal spring, force from the overlap.
 #[derive(Debug, Clone, Copy)]
@@ -28,7 +29,8 @@ impl Normal for LinearNormal {
         self.k * touch.overlap
     }
 
-    fn stiffness(&self, _: f64) -> f64 {
+    #[inline(always)]
+    fn stiffness(&self, _: f64, (): &()) -> f64 {
         self.k
     }
 
@@ -39,6 +41,8 @@ impl Normal for LinearNormal {
     fn held(&self, overlap: f64, (): &()) -> f64 {
         self.k * overlap
     }
+
+    fn seed(&self, _: f64) {}
 }
 
 /// Normal force summed so far [N].
@@ -50,8 +54,8 @@ impl Memory for SummedNormal {
         [self.0, 0.0]
     }
 
-    fn from_reduced(forces: [f64; 2]) -> Self {
-        Self(forces[0])
+    fn visit(&self, see: &mut dyn FnMut(f64)) {
+        see(self.0);
     }
 }
 
@@ -76,7 +80,8 @@ impl Normal for IncrementalNormal {
         memory.0
     }
 
-    fn stiffness(&self, _: f64) -> f64 {
+    #[inline(always)]
+    fn stiffness(&self, _: f64, _: &SummedNormal) -> f64 {
         self.k
     }
 
@@ -90,6 +95,10 @@ impl Normal for IncrementalNormal {
 
     fn held(&self, _: f64, memory: &SummedNormal) -> f64 {
         memory.0
+    }
+
+    fn seed(&self, force: f64) -> SummedNormal {
+        SummedNormal(force)
     }
 }
 
@@ -114,13 +123,19 @@ impl Tangential for Frictionless {
         0.0
     }
 
-    fn stiffness(&self) -> f64 {
+    fn stiffness(&self, _: f64) -> f64 {
         0.0
     }
 
-    fn energy(&self, (): &()) -> f64 {
+    fn energy(&self, _: f64, (): &()) -> f64 {
         0.0
     }
+
+    fn part(&self, _: f64, (): &()) -> [f64; 2] {
+        [0.0; 2]
+    }
+
+    fn seed(&self, _: f64, _: f64) {}
 
     fn is_frictional(&self) -> bool {
         false
@@ -136,8 +151,8 @@ impl Memory for ShearForce {
         [0.0, self.0]
     }
 
-    fn from_reduced(forces: [f64; 2]) -> Self {
-        Self(forces[1])
+    fn visit(&self, see: &mut dyn FnMut(f64)) {
+        see(self.0);
     }
 }
 
@@ -189,7 +204,7 @@ impl Tangential for LinearShear {
         };
         Shear {
             force,
-            loss,
+            loss: [loss, 0.0],
             sliding: sliding && self.k > 0.0,
             limit,
         }
@@ -199,16 +214,26 @@ impl Tangential for LinearShear {
         memory.0
     }
 
-    fn stiffness(&self) -> f64 {
+    fn stiffness(&self, _: f64) -> f64 {
         self.k
     }
 
-    fn energy(&self, memory: &ShearForce) -> f64 {
+    fn energy(&self, _: f64, memory: &ShearForce) -> f64 {
         if self.k > 0.0 {
             0.5 * memory.0 * memory.0 / self.k
         } else {
             0.0
         }
+    }
+
+    fn part(&self, displacement: f64, memory: &ShearForce) -> [f64; 2] {
+        // A step to zero load: the spring gives its energy and the rest of the path to slip.
+        let stored = self.energy(0.0, memory);
+        [stored + 0.5 * memory.0 * displacement, 0.0]
+    }
+
+    fn seed(&self, _: f64, force: f64) -> ShearForce {
+        ShearForce(force)
     }
 
     fn is_frictional(&self) -> bool {

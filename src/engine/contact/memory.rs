@@ -2,13 +2,12 @@
 
 use serde::{Serialize, de::DeserializeOwned};
 
-/// Memory of a part of a law. The reduced form (forces in newtons) is what survives a change of law
-/// and what the state hash sees.
+/// Memory of a part of a law. The reduced form (forces in newtons) is what survives a change of law.
 pub trait Memory: Copy + Default + Send + Sync + Serialize + DeserializeOwned + 'static {
     /// Normal and tangential spring force [N] as far as this part holds them.
     fn reduced(&self) -> [f64; 2];
-    /// From the reduced form.
-    fn from_reduced(forces: [f64; 2]) -> Self;
+    /// Shows every number that the future depends on, for the state hash.
+    fn visit(&self, see: &mut dyn FnMut(f64));
 }
 
 impl Memory for () {
@@ -16,15 +15,17 @@ impl Memory for () {
         [0.0; 2]
     }
 
-    fn from_reduced(_: [f64; 2]) -> Self {}
+    fn visit(&self, _: &mut dyn FnMut(f64)) {}
 }
 
-impl<N: Memory, T: Memory> Memory for (N, T) {
+impl<N: Memory, T: Memory, R: Memory> Memory for (N, T, R) {
     fn reduced(&self) -> [f64; 2] {
         [self.0.reduced()[0], self.1.reduced()[1]]
     }
 
-    fn from_reduced(forces: [f64; 2]) -> Self {
-        (N::from_reduced(forces), T::from_reduced(forces))
+    fn visit(&self, see: &mut dyn FnMut(f64)) {
+        self.0.visit(see);
+        self.1.visit(see);
+        self.2.visit(see);
     }
 }

@@ -4,10 +4,14 @@
 //! Each contact writes the force on its first body into its own slot, so the bits depend neither
 //! on the order of the list nor on the number of threads.
 
+use std::any::Any;
+
 use serde::{Deserialize, Serialize};
 
+use super::law::Law;
 use super::memory::Memory;
-use super::{Basis, Law, Stiffness, Touch};
+use super::quantities::{Basis, Stiffness, Touch};
+use super::traction::Traction;
 use crate::engine::neighbours::{Slot, Status};
 use crate::engine::particles::Row;
 use crate::engine::threads::{MAX_THREADS, Threads, share};
@@ -33,12 +37,38 @@ pub struct View<'a> {
 pub struct Book {
     /// Dashpot forces at the last boundary [N].
     pub damping: [f64; 2],
-    /// Energy lost by slip in the last step [J].
-    pub friction_loss: f64,
+    /// Friction beyond the spring's own at the last boundary [N].
+    pub excess: f64,
+    /// Energy lost in the last step by sliding of the whole contact, rolling included, and by slip
+    /// within it [J].
+    pub friction_loss: [f64; 2],
     /// Energy lost in the dashpots in the last step [J].
     pub damping_loss: f64,
     /// Tangential displacement since first touch [m].
     pub delta: f64,
+    /// Energy lost since first touch: sliding, slip within, dashpots [J].
+    pub lost: [f64; 3],
+}
+
+impl Book {
+    /// Books a step of the contact along the normal and across it [m].
+    fn book(&mut self, loss: [f64; 2], damping: [f64; 2], excess: f64, step: [f64; 2]) {
+        // Both are those of the ends of the step.
+        let mean = |old: f64, new: f64, step: f64| 0.5 * (old + new) * step;
+        self.friction_loss = [loss[0] + mean(self.excess, excess, step[1]), loss[1]];
+        self.damping_loss =
+            mean(self.damping[0], damping[0], step[0]) + mean(self.damping[1], damping[1], step[1]);
+        self.damping = damping;
+        self.excess = excess;
+        self.delta += step[1];
+        for (lost, now) in self.lost.iter_mut().zip([
+            self.friction_loss[0],
+            self.friction_loss[1],
+            self.damping_loss,
+        ]) {
+            *lost += now;
+        }
+    }
 }
 
 /// The dynamic face of a [`Pass`].
@@ -58,6 +88,8 @@ pub trait ContactPass: Send + Sync {
     fn hand_over(&mut self, from: usize, to: usize);
     /// Whether spins exist.
     fn tangential(&self) -> bool;
+    /// Whether rolling is resisted.
+    fn rolling(&self) -> bool;
     /// Spring energies of a contact with this overlap [J].
     fn energy(&self, k: usize, overlap: f64) -> [f64; 2];
     /// Spring forces of a contact with this overlap [N]; memory does not advance.
@@ -68,8 +100,15 @@ pub trait ContactPass: Send + Sync {
     fn is_frictional(&self, k: usize) -> bool;
     /// Reduced memory of a contact: spring forces [N].
     fn reduced(&self, k: usize) -> [f64; 2];
-    /// Takes over the reduced memory and the bookings of another kind of pass.
-    fn seed(&mut self, k: usize, forces: [f64; 2], book: Book);
+    /// Shows every number in the memory of a contact that the future depends on.
+    fn visit(&self, k: usize, see: &mut dyn FnMut(f64));
+    /// Takes over the memories and bookings of the pass before, whatever its kind: whole where
+    /// nothing that they depend on has changed, else as spring forces at these overlaps [m].
+    fn take_over(&mut self, before: &dyn ContactPass, overlap: &dyn Fn(usize) -> f64);
+    /// The traction inside a contact, if the law knows it.
+    fn traction(&self, k: usize) -> Option<Traction>;
+    /// For [`ContactPass::take_over`].
+    fn as_any(&self) -> &dyn Any;
     /// Bookings of a contact; zero when none are kept.
     fn book(&self, k: usize) -> Book;
     /// Bytes per contact: parameters, memory, bookings.
@@ -86,6 +125,21 @@ pub struct BasisOwned {
     pub pair: crate::engine::pair::Pair,
     /// Effective mass [kg].
     pub m_eff: f64,
+    /// Effective radius [m].
+    pub r_eff: f64,
+    /// Overlap above which the contact is damped critically [m].
+    pub critical_above: f64,
+}
+
+impl BasisOwned {
+    fn lend(&self) -> Basis<'_> {
+        Basis {
+            pair: &self.pair,
+            m_eff: self.m_eff,
+            r_eff: self.r_eff,
+            critical_above: self.critical_above,
+        }
+    }
 }
 
 /// One law over the list. `BOOK`: energies are booked.
@@ -152,7 +206,7 @@ impl<L: Law> Cell<'_, L> {
             -(r.normal * g.e[0]) - r.tangential * t[0],
             -(r.normal * g.e[1]) - r.tangential * t[1],
             r.tangential * g.arm,
-            0.0,
+            r.moment,
         ]);
         *self.status = if r.sliding {
             Status::Sliding
@@ -161,11 +215,7 @@ impl<L: Law> Cell<'_, L> {
         };
         if let Some(book) = &mut self.book {
             let step = [g.touch.approach * g.touch.dt, g.touch.slide * g.touch.dt];
-            book.friction_loss = r.loss;
-            book.damping_loss = 0.5 * (book.damping[0] + r.damping[0]) * step[0]
-                + 0.5 * (book.damping[1] + r.damping[1]) * step[1];
-            book.damping = r.damping;
-            book.delta += step[1];
+            book.book(r.loss, r.damping, r.excess, step);
         }
     }
 
@@ -177,10 +227,10 @@ impl<L: Law> Cell<'_, L> {
         *self.status = Status::Apart;
         if let Some(book) = &mut self.book {
             let step = [touch.approach * touch.dt, touch.slide * touch.dt];
-            let old = book.damping;
+            book.book(loss, [0.0; 2], 0.0, step);
             **book = Book {
-                friction_loss: loss,
-                damping_loss: 0.5 * old[0] * step[0] + 0.5 * old[1] * step[1],
+                friction_loss: book.friction_loss,
+                damping_loss: book.damping_loss,
                 ..Book::default()
             };
         }
@@ -246,6 +296,7 @@ impl<L: Law, const BOOK: bool> Pass<L, BOOK> {
             overlap,
             approach,
             slide,
+            roll: if L::ROLLING { a.spin - b.spin } else { 0.0 },
             dt: view.dt,
         };
         if apart || overlap <= 0.0 {
@@ -277,6 +328,11 @@ impl<L: Law, const BOOK: bool> Pass<L, BOOK> {
             overlap,
             approach,
             slide,
+            roll: if L::ROLLING {
+                row.spin - wall.spin
+            } else {
+                0.0
+            },
             dt: view.dt,
         };
         if apart {
@@ -349,11 +405,7 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
             self.spare_book.reserve(room);
         }
         for (k, &from) in old.iter().enumerate() {
-            let basis = basis(k);
-            self.laws.push(L::prepare(&Basis {
-                pair: &basis.pair,
-                m_eff: basis.m_eff,
-            }));
+            self.laws.push(L::prepare(&basis(k).lend()));
             self.spare_memory
                 .push(self.memory.get(from as usize).copied().unwrap_or_default());
             if BOOK {
@@ -376,6 +428,10 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
         L::TANGENTIAL
     }
 
+    fn rolling(&self) -> bool {
+        L::ROLLING
+    }
+
     fn energy(&self, k: usize, overlap: f64) -> [f64; 2] {
         self.laws[k].energy(overlap, &self.memory[k])
     }
@@ -385,7 +441,7 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
     }
 
     fn stiffness(&self, k: usize, overlap: f64) -> Stiffness {
-        self.laws[k].stiffness(overlap)
+        self.laws[k].stiffness(overlap, &self.memory[k])
     }
 
     fn is_frictional(&self, k: usize) -> bool {
@@ -396,11 +452,29 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
         self.memory[k].reduced()
     }
 
-    fn seed(&mut self, k: usize, forces: [f64; 2], book: Book) {
-        self.memory[k] = L::Memory::from_reduced(forces);
-        if BOOK {
-            self.book[k] = book;
+    fn visit(&self, k: usize, see: &mut dyn FnMut(f64)) {
+        self.memory[k].visit(see);
+    }
+
+    fn take_over(&mut self, before: &dyn ContactPass, overlap: &dyn Fn(usize) -> f64) {
+        let same = before.as_any().downcast_ref::<Self>();
+        for k in 0..self.laws.len() {
+            self.memory[k] = match same {
+                Some(same) => self.laws[k].refit(&same.laws[k], overlap(k), &same.memory[k]),
+                None => self.laws[k].seed(overlap(k), before.reduced(k)),
+            };
+            if BOOK {
+                self.book[k] = before.book(k);
+            }
         }
+    }
+
+    fn traction(&self, k: usize) -> Option<Traction> {
+        self.laws[k].traction(&self.memory[k])
+    }
+
+    fn as_any(&self) -> &dyn Any {
+        self
     }
 
     fn book(&self, k: usize) -> Book {

@@ -36,6 +36,8 @@ pub struct ContactList {
     pub wall_travel: f64,
     /// Times the list was made.
     pub rebuilds: u64,
+    /// Whether any contact resists rolling.
+    pub rolls: bool,
     /// Box around all particles and their halos until the list is made again: lower and upper
     /// corner [m].
     pub span: [[f64; 2]; 2],
@@ -215,9 +217,9 @@ impl ContactList {
             .map(|&entry| ((entry >> 1) as usize, entry & 1 == 1))
     }
 
-    /// Contact force on a particle, summed in ascending order of partners.
+    /// Contact force on a particle of this radius [m], summed in ascending order of partners.
     #[inline]
-    pub fn sum<const SCALE: bool>(&self, p: usize) -> Sum {
+    pub fn sum<const SCALE: bool>(&self, p: usize, radius: f64) -> Sum {
         let mut sum = Sum::default();
         let entries = &self.entries[self.starts[p] as usize..self.starts[p + 1] as usize];
         for &entry in entries {
@@ -230,7 +232,18 @@ impl ContactList {
                 sum.scale += fx.abs() + fy.abs();
             }
         }
+        if self.rolls {
+            sum.tau += self.rolling_moment(p) / radius;
+        }
         sum
+    }
+
+    /// Moment of rolling resistance on a particle [N m].
+    fn rolling_moment(&self, p: usize) -> f64 {
+        self.of(p).fold(0.0, |sum, (k, second)| {
+            let Slot([.., moment]) = self.slots[k];
+            if second { sum + moment } else { sum - moment }
+        })
     }
 
     /// Furthest that any particle really moved since the list was made [m].

@@ -9,7 +9,7 @@ pub mod list;
 use serde::{Deserialize, Serialize};
 
 /// Force on the first body of a contact: f1, f2 [N], tangential force times lever arm over radius
-/// [N]; the fourth lane fills the row.
+/// [N], moment of rolling resistance [N m].
 #[repr(C, align(32))]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Slot(pub [f64; 4]);

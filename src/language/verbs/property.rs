@@ -12,7 +12,7 @@ pub const CARD: Card = Card {
     aliases: &["type"],
     usage: "property MATERIAL KEY VALUE",
     summary: "changes a property of a material",
-    detail: "Keys: density [kg/m3], friction [-], cohesion [N], normal_stiffness and \
+    detail: "Keys: density [kg/m3], friction [-], cohesion [N], rolling_friction [-], normal_stiffness and \
              shear_stiffness [N/m], young [Pa], poisson [-]. The time step follows at once.",
     examples: &[
         "property steel density 7800",
@@ -31,6 +31,8 @@ pub enum Property {
     Friction,
     /// Cohesion [N].
     Cohesion,
+    /// Coefficient of rolling friction [-].
+    RollingFriction,
     /// Normal stiffness [N/m].
     NormalStiffness,
     /// Shear stiffness [N/m].
@@ -42,10 +44,11 @@ pub enum Property {
 }
 
 /// Every property and the word for it.
-const KEYS: [(&str, Property); 7] = [
+const KEYS: [(&str, Property); 8] = [
     ("density", Property::Density),
     ("friction", Property::Friction),
     ("cohesion", Property::Cohesion),
+    ("rolling_friction", Property::RollingFriction),
     ("normal_stiffness", Property::NormalStiffness),
     ("shear_stiffness", Property::ShearStiffness),
     ("young", Property::Young),
@@ -58,9 +61,10 @@ fn parse(words: &mut Words<'_>) -> Result<Command, Mistake> {
     let what = key.name();
     let value = match key {
         Property::Density | Property::NormalStiffness | Property::Young => words.positive(what)?,
-        Property::Friction | Property::Cohesion | Property::ShearStiffness => {
-            words.not_negative(what)?
-        }
+        Property::Friction
+        | Property::Cohesion
+        | Property::RollingFriction
+        | Property::ShearStiffness => words.not_negative(what)?,
         Property::Poisson => {
             words.number_that(what, "above -1 and at most 0.5", |v| v > -1.0 && v <= 0.5)?
         }

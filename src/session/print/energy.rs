@@ -24,7 +24,8 @@ pub(super) fn lines(world: &World) -> Vec<String> {
         return lines;
     };
     rows.extend([
-        ("lost by sliding", joules(b.friction_loss)),
+        ("lost by friction", joules(b.friction_loss)),
+        ("of it slip in contacts", joules(b.slip_loss)),
         ("lost in contact dashpots", joules(b.damping_loss)),
         ("lost by global damping", joules(b.global_loss)),
         ("work put in", joules(b.boundary_work)),

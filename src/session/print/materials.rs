@@ -110,8 +110,10 @@ pub(in crate::session) fn dashpots(pair: &Pair) -> String {
         Dashpot::Beta(beta) => format!("beta {} s", figure(beta)),
         Dashpot::Restitution(e) => format!("restitution {}", figure(e)),
     };
-    match pair.tangential {
-        Some(b) => format!("{normal}, tangential {}", figure(b)),
-        None => normal,
+    let [b, beta] = [pair.fraction[1], pair.beta[1]];
+    if beta > 0.0 && beta == pair.beta[0] || b == pair.fraction[0] {
+        normal
+    } else {
+        format!("{normal}, tangential {}", figure(b))
     }
 }

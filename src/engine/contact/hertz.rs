@@ -1,0 +1,52 @@
+//! Hertz: the elastic normal force of two spheres, N = (4/3) E* √R* α^{3/2}.
+//!
+//! Randall 1989, (3.13), with a² = R* α and the tangent stiffness 2 E* a of (4.12). The force
+//! follows from the overlap itself; the increments of (4.11) and (4.12) are kept as
+//! [`super::incremental_hertz`] for replay.
+
+use super::parts::Normal;
+use super::quantities::{Basis, Touch};
+
+/// Normal spring of two spheres.
+#[derive(Debug, Clone, Copy)]
+pub struct Hertz {
+    /// (4/3) E* √R* [N/m^1.5].
+    hertz: f64,
+}
+
+impl Normal for Hertz {
+    type Memory = ();
+
+    fn prepare(basis: &Basis<'_>) -> Self {
+        Self {
+            hertz: coefficient(basis.pair.young, basis.r_eff),
+        }
+    }
+
+    #[inline(always)]
+    fn force(&self, touch: &Touch, (): &mut ()) -> f64 {
+        self.hertz * touch.overlap * touch.overlap.sqrt()
+    }
+
+    #[inline(always)]
+    fn stiffness(&self, overlap: f64, (): &()) -> f64 {
+        1.5 * self.hertz * overlap.max(0.0).sqrt()
+    }
+
+    fn energy(&self, overlap: f64, (): &()) -> f64 {
+        let overlap = overlap.max(0.0);
+        0.4 * self.hertz * overlap * overlap * overlap.sqrt()
+    }
+
+    fn held(&self, overlap: f64, (): &()) -> f64 {
+        let overlap = overlap.max(0.0);
+        self.hertz * overlap * overlap.sqrt()
+    }
+
+    fn seed(&self, _: f64) {}
+}
+
+/// (4/3) E* √R* [N/m^1.5].
+pub(super) fn coefficient(young: f64, r_eff: f64) -> f64 {
+    4.0 / 3.0 * young * r_eff.sqrt()
+}

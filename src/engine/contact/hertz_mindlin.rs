@@ -1,0 +1,101 @@
+//! Mindlin's initial stiffness, 8 G* a, as a spring that keeps its force: what most programs call
+//! Hertz-Mindlin (B17; Thornton, Cummins & Cleary 2011).
+//!
+//! No slip inside the contact before all of it slides. While the normal force falls the shear force
+//! is rescaled with the contact radius; `unloading = "keep"` leaves it, and can then gain energy.
+
+use serde::{Deserialize, Serialize};
+
+use super::history::{follow, stored};
+use super::memory::Memory;
+use super::parts::Tangential;
+use super::quantities::{Basis, Load, Shear, Touch};
+
+/// Shear force [N] and the stiffness it was held at [N/m].
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct HeldShear {
+    force: f64,
+    stiffness: f64,
+}
+
+impl Memory for HeldShear {
+    fn reduced(&self) -> [f64; 2] {
+        [0.0, self.force]
+    }
+
+    fn visit(&self, see: &mut dyn FnMut(f64)) {
+        see(self.force);
+        see(self.stiffness);
+    }
+}
+
+/// Shear spring of stiffness 8 G* a with Coulomb's limit; `KEEP`: the force stays while N falls.
+#[derive(Debug, Clone, Copy)]
+pub struct HertzMindlin<const KEEP: bool> {
+    /// 8 G* √R* [N/m^1.5].
+    mindlin: f64,
+    friction: f64,
+    cohesion: f64,
+}
+
+impl<const KEEP: bool> Tangential for HertzMindlin<KEEP> {
+    type Memory = HeldShear;
+    const ACTIVE: bool = true;
+
+    fn prepare(basis: &Basis<'_>) -> Self {
+        Self {
+            mindlin: 8.0 * basis.pair.shear * basis.r_eff.sqrt(),
+            friction: basis.pair.friction,
+            cohesion: basis.pair.cohesion,
+        }
+    }
+
+    #[inline(always)]
+    fn force(&self, touch: &Touch, load: &Load, memory: &mut HeldShear) -> Shear {
+        let k = self.mindlin * touch.overlap.sqrt();
+        let limit = self.friction * load.total + self.cohesion;
+        // A dashpot that pulls must not turn the limit negative.
+        let limit = if limit > 0.0 { limit } else { 0.0 };
+        let d = touch.slide * touch.dt;
+        let now = follow(memory.force, memory.stiffness, k, !KEEP, d, limit);
+        *memory = HeldShear {
+            force: now.force,
+            stiffness: k,
+        };
+        Shear {
+            force: now.force,
+            loss: now.loss,
+            sliding: now.sliding && self.is_frictional(),
+            limit,
+        }
+    }
+
+    fn held(&self, memory: &HeldShear) -> f64 {
+        memory.force
+    }
+
+    fn stiffness(&self, overlap: f64) -> f64 {
+        self.mindlin * overlap.max(0.0).sqrt()
+    }
+
+    fn energy(&self, _: f64, memory: &HeldShear) -> f64 {
+        stored(memory.force, memory.stiffness)
+    }
+
+    fn part(&self, displacement: f64, memory: &HeldShear) -> [f64; 2] {
+        // A step to zero load: all that is held, and the path of the mean force, goes to slip.
+        let held = stored(memory.force, memory.stiffness);
+        [0.0, held + 0.5 * memory.force * displacement]
+    }
+
+    fn seed(&self, overlap: f64, force: f64) -> HeldShear {
+        HeldShear {
+            force,
+            stiffness: self.stiffness(overlap),
+        }
+    }
+
+    fn is_frictional(&self) -> bool {
+        self.friction > 0.0 || self.cohesion > 0.0
+    }
+}

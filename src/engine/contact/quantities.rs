@@ -1,0 +1,95 @@
+//! What laws are told and what they answer: named quantities, no world.
+
+use crate::engine::pair::Pair;
+
+/// What a law is told about a touching pair.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Touch {
+    /// Overlap α > 0 [m].
+    pub overlap: f64,
+    /// Approach velocity along the normal [m/s].
+    pub approach: f64,
+    /// Velocity of the first body's surface relative to the second's, along t [m/s].
+    pub slide: f64,
+    /// Spin of the first body less that of the second [rad/s].
+    pub roll: f64,
+    /// Time step [s].
+    pub dt: f64,
+}
+
+/// Normal load that the tangential and the rolling part are given.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Load {
+    /// Spring force [N].
+    pub elastic: f64,
+    /// Spring and dashpot together [N]: the base of the Coulomb limit.
+    pub total: f64,
+    /// Tangent stiffness of the normal spring [N/m].
+    pub stiffness: f64,
+}
+
+/// What the tangential part answers.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Shear {
+    /// Spring force [N].
+    pub force: f64,
+    /// Energy lost in this step by sliding of the whole contact and by slip within it [J].
+    pub loss: [f64; 2],
+    /// Whether the whole contact slid.
+    pub sliding: bool,
+    /// Friction limit: what spring and dashpot together may reach [N].
+    pub limit: f64,
+}
+
+/// What the rolling part answers.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Roll {
+    /// Moment on the second body, against the first's excess of spin [N m].
+    pub moment: f64,
+    /// Energy lost by rolling in this step [J].
+    pub loss: f64,
+}
+
+/// What a contact does to its first body: force -n e - T t, moment -M beside that of the force.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Reaction {
+    /// Normal force [N], compression positive.
+    pub normal: f64,
+    /// Tangential force [N].
+    pub tangential: f64,
+    /// Moment of rolling resistance [N m].
+    pub moment: f64,
+    /// The dashpots' share of the two forces [N].
+    pub damping: [f64; 2],
+    /// Friction beyond the spring's own while sliding: μ times the normal dashpot's share [N].
+    pub excess: f64,
+    /// Energy lost in this step by sliding of the whole contact, rolling included, and by slip
+    /// within it [J].
+    pub loss: [f64; 2],
+    /// Whether the contact slid.
+    pub sliding: bool,
+}
+
+/// Stiffness and viscosity of a contact as it stands, for the stability bound.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Stiffness {
+    /// Normal and tangential stiffness [N/m].
+    pub k: [f64; 2],
+    /// Normal and tangential viscosity [N s/m].
+    pub c: [f64; 2],
+    /// Rolling stiffness [N m].
+    pub rolling: f64,
+}
+
+/// What a part of a contact is prepared from, once per pair and rebuild.
+#[derive(Debug, Clone, Copy)]
+pub struct Basis<'a> {
+    /// Parameters of the two materials.
+    pub pair: &'a Pair,
+    /// Effective mass m1 m2/(m1 + m2) [kg]; a wall or driven partner has infinite mass.
+    pub m_eff: f64,
+    /// Effective radius R1 R2/(R1 + R2) [m]; that of the particle at a wall.
+    pub r_eff: f64,
+    /// Overlap above which the contact is damped critically [m]; infinite if never.
+    pub critical_above: f64,
+}
