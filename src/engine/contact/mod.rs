@@ -6,6 +6,7 @@
 //! associated type, so a scene without friction stores none.
 
 pub mod dashpot;
+pub mod diagram;
 pub mod hertz;
 pub mod hertz_mindlin;
 mod history;

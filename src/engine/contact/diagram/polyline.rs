@@ -1,0 +1,211 @@
+//! The polyline of a memory diagram and how it is kept short.
+
+use serde::{Deserialize, Serialize};
+
+/// Area in units of μ α² below which the youngest node is given up at once.
+const NEGLIGIBLE: f64 = 1e-9;
+
+/// Where the contact would be if it were shrunk.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub(super) struct Node {
+    /// Square root of the overlap, √η [√m]; the radius of the contact is √R* times this.
+    pub(super) root: f64,
+    /// Displacement over compliance, δ/k [m].
+    pub(super) shift: f64,
+    /// Tangential force T [N].
+    pub(super) force: f64,
+    /// Area in (η, δ/k) between the history and the segment that ends here [m²].
+    pub(super) lost: f64,
+}
+
+/// Where all polylines begin: a contact shrunk to nothing.
+pub(super) const ORIGIN: Node = Node {
+    root: 0.0,
+    shift: 0.0,
+    force: 0.0,
+    lost: 0.0,
+};
+
+impl Node {
+    /// Overlap η [m].
+    #[inline]
+    pub(super) fn overlap(&self) -> f64 {
+        self.root * self.root
+    }
+
+    /// The point of the segment from `self` to `outer` at an overlap between theirs: linear in η for
+    /// the displacement, in N for the force.
+    #[inline]
+    pub(super) fn towards(&self, outer: &Node, root: f64) -> Node {
+        let (a, b, c) = (self.root, outer.root, root);
+        let by_overlap = (c * c - a * a) / (b * b - a * a);
+        let by_load = (c * c * c - a * a * a) / (b * b * b - a * a * a);
+        Node {
+            root,
+            shift: self.shift + by_overlap * (outer.shift - self.shift),
+            force: self.force + by_load * (outer.force - self.force),
+            lost: outer.lost,
+        }
+    }
+}
+
+/// Area of the triangle that a polyline loses when it skips `b` [m²].
+fn triangle(a: &Node, b: &Node, c: &Node) -> f64 {
+    let near = [b.overlap() - a.overlap(), b.shift - a.shift];
+    let far = [c.overlap() - a.overlap(), c.shift - a.shift];
+    0.5 * (near[0] * far[1] - far[0] * near[1]).abs()
+}
+
+/// What a contact would carry if it were shrunk: a polyline of at most M nodes, origin not counted.
+///
+/// Each segment carries the area in (η, δ/k) that was lost when nodes were dropped into it. The node
+/// whose own triangle together with the areas of its two segments is smallest goes first; the areas
+/// add up, so no part of the history is worn away by many small steps. A dropped area A changes
+/// forces by about N'' A.
+#[derive(Debug, Clone, Copy)]
+pub struct Diagram<const M: usize> {
+    /// Nodes in use.
+    len: usize,
+    /// Friction coefficient that bounds the slopes [-].
+    pub(super) friction: f64,
+    /// From the inside outwards; the last one in use is now.
+    nodes: [Node; M],
+}
+
+impl<const M: usize> Default for Diagram<M> {
+    fn default() -> Self {
+        Self {
+            len: 0,
+            friction: 0.0,
+            nodes: [ORIGIN; M],
+        }
+    }
+}
+
+impl<const M: usize> PartialEq for Diagram<M> {
+    fn eq(&self, other: &Self) -> bool {
+        self.friction == other.friction && self.nodes() == other.nodes()
+    }
+}
+
+impl<const M: usize> Diagram<M> {
+    /// Nodes in use, from the inside outwards.
+    #[inline]
+    pub(super) fn nodes(&self) -> &[Node] {
+        &self.nodes[..self.len]
+    }
+
+    /// Node `k` counted from the origin, which is 0.
+    #[inline]
+    pub(super) fn from_origin(&self, k: usize) -> Node {
+        if k == 0 { ORIGIN } else { self.nodes[k - 1] }
+    }
+
+    /// The state of now; the origin if nothing is remembered.
+    #[inline]
+    pub(super) fn top(&self) -> Node {
+        self.from_origin(self.len)
+    }
+
+    /// Number of nodes remembered, the origin not counted.
+    #[inline]
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Whether nothing is remembered.
+    #[inline]
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// Overlap of now [m].
+    #[inline]
+    pub fn overlap(&self) -> f64 {
+        self.top().overlap()
+    }
+
+    /// Forgets everything.
+    #[inline]
+    pub fn forget(&mut self) {
+        self.len = 0;
+    }
+
+    /// The point that the contact comes to when it is shrunk to `root`, smaller than now and above
+    /// nought, and how many nodes lie inside.
+    #[inline]
+    pub(super) fn shrunk(&self, root: f64) -> (Node, usize) {
+        let mut k = self.len;
+        while self.from_origin(k - 1).root >= root {
+            k -= 1;
+        }
+        let (inner, outer) = (self.from_origin(k - 1), self.from_origin(k));
+        (inner.towards(&outer, root), k - 1)
+    }
+
+    /// Forgets everything but the state of now.
+    #[inline]
+    pub(super) fn restart(&mut self, node: Node) {
+        self.nodes[0] = node;
+        self.len = 1;
+    }
+
+    /// Keeps the innermost `len` nodes.
+    #[inline]
+    pub(super) fn keep(&mut self, len: usize) {
+        self.len = len;
+    }
+
+    /// Appends a node behind which one more will come: there must be room.
+    #[inline]
+    pub(super) fn append(&mut self, node: Node) {
+        self.nodes[self.len] = node;
+        self.len += 1;
+    }
+
+    /// Makes a node the state of now and keeps the polyline at no more than `most` nodes.
+    #[inline]
+    pub(super) fn finish(&mut self, mut node: Node, most: usize) {
+        let eta = node.overlap();
+        let negligible = NEGLIGIBLE * self.friction * eta * eta;
+        while self.len > 0 {
+            let last = self.nodes[self.len - 1];
+            let before = self.from_origin(self.len - 1);
+            let lost = triangle(&before, &last, &node) + last.lost + node.lost;
+            if lost >= negligible {
+                break;
+            }
+            node.lost = lost;
+            self.len -= 1;
+        }
+        while self.len >= most {
+            self.drop_cheapest(&mut node);
+        }
+        self.append(node);
+    }
+
+    /// Drops the inner node with the least area; `node` is to follow the last.
+    #[cold]
+    fn drop_cheapest(&mut self, node: &mut Node) {
+        let (mut cheapest, mut least) = (0, f64::INFINITY);
+        for k in 0..self.len {
+            let here = self.nodes[k];
+            let outer = if k + 1 < self.len {
+                self.nodes[k + 1]
+            } else {
+                *node
+            };
+            let lost = triangle(&self.from_origin(k), &here, &outer) + here.lost + outer.lost;
+            if lost < least {
+                (cheapest, least) = (k, lost);
+            }
+        }
+        if cheapest + 1 < self.len {
+            self.nodes[cheapest + 1].lost = least;
+        } else {
+            node.lost = least;
+        }
+        self.nodes.copy_within(cheapest + 1..self.len, cheapest);
+        self.len -= 1;
+    }
+}
