@@ -3,15 +3,22 @@
 //! Three small matches give every combination; none is written out by hand.
 
 use super::contact::dashpot::{Constant, Following, Undamped};
+use super::contact::exact::ExactShear;
 use super::contact::hertz::Hertz;
 use super::contact::hertz_mindlin::HertzMindlin;
+use super::contact::incremental_hertz::IncrementalHertz;
 use super::contact::law::{Contact, Law};
 use super::contact::linear::{Frictionless, IncrementalNormal, LinearNormal, LinearShear};
+use super::contact::mindlin_deresiewicz::ReversalShear;
 use super::contact::parts::{Normal, Rolling, Tangential, Viscosity};
 use super::contact::pass::{ContactPass, Pass};
 use super::contact::rolling::{RollingSpring, Unresisted};
 use super::pair::PairTable;
 use super::setup::{LawChoice, NormalForm, Setup, Unloading};
+
+/// Room for nodes in the memory of a contact with exact partial slip: by default, and at most.
+const FEW_NODES: usize = 16;
+const MANY_NODES: usize = 64;
 
 /// Which parts are needed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,6 +29,8 @@ pub struct Plan {
     pub normal: NormalForm,
     /// What a Hertz-Mindlin shear force does while the normal force falls.
     pub unloading: Unloading,
+    /// Most nodes in the memory of a contact with exact partial slip.
+    pub nodes: usize,
     /// Whether any contact can carry a tangential force.
     pub friction: bool,
     /// Whether any contact resists rolling.
@@ -45,6 +54,7 @@ impl Plan {
             law: setup.law,
             normal: setup.normal,
             unloading: setup.unloading,
+            nodes: usize::from(setup.nodes),
             friction: false,
             rolling: false,
             dashpots: setup.damping.overlap_critical.is_some(),
@@ -67,7 +77,7 @@ impl Plan {
             (LawChoice::Linear, NormalForm::Total) => self.linear::<LinearNormal>(),
             (LawChoice::Linear, NormalForm::Incremental) => self.linear::<IncrementalNormal>(),
             (_, NormalForm::Total) => self.hertzian::<Hertz>(),
-            (_, NormalForm::Incremental) => self.hertzian::<Hertz>(),
+            (_, NormalForm::Incremental) => self.hertzian::<IncrementalHertz>(),
         }
     }
 
@@ -90,8 +100,14 @@ impl Plan {
             (true, LawChoice::HertzMindlin, Unloading::Keep) => {
                 self.with_shear::<N, HertzMindlin<true>, Following>()
             }
-            (true, LawChoice::MindlinDeresiewicz | LawChoice::MindlinDeresiewiczExact, _) => {
-                self.with_shear::<N, HertzMindlin<false>, Following>()
+            (true, LawChoice::MindlinDeresiewicz, _) => {
+                self.with_shear::<N, ReversalShear, Following>()
+            }
+            (true, LawChoice::MindlinDeresiewiczExact, _) if self.nodes <= FEW_NODES => {
+                self.with_shear::<N, ExactShear<FEW_NODES>, Following>()
+            }
+            (true, LawChoice::MindlinDeresiewiczExact, _) => {
+                self.with_shear::<N, ExactShear<MANY_NODES>, Following>()
             }
         }
     }

@@ -304,6 +304,7 @@ impl World {
                 m_eff: if sum > 0.0 { 1.0 / sum } else { p.mass[i] },
                 r_eff: a * b / (a + b),
                 critical_above: self.critical_above,
+                nodes: usize::from(self.model.nodes),
             };
         }
         let wall = &self.contacts.walls[k - self.contacts.pairs.len()];
@@ -315,6 +316,7 @@ impl World {
             m_eff: p.mass[i],
             r_eff: p.row[i].radius,
             critical_above: self.critical_above,
+            nodes: usize::from(self.model.nodes),
         }
     }
 

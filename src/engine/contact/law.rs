@@ -69,6 +69,11 @@ impl<N: Normal, T: Tangential, R: Rolling, D: Viscosity> Law for Contact<N, T, R
             total,
             stiffness,
         };
+        // A sum of increments may stand at another overlap than the bodies do.
+        let touch = &Touch {
+            overlap: self.normal.overlap(touch.overlap, normal_memory),
+            ..*touch
+        };
         let shear = self.tangential.force(touch, &load, shear_memory);
         let roll = self.rolling.moment(touch, &load, roll_memory);
         // No contact carries more than its friction limit, whatever carries it: without friction
@@ -120,7 +125,8 @@ impl<N: Normal, T: Tangential, R: Rolling, D: Viscosity> Law for Contact<N, T, R
 
     fn stiffness(&self, overlap: f64, memory: &Self::Memory) -> Stiffness {
         let normal = self.normal.stiffness(overlap, &memory.0);
-        let k = [normal, self.tangential.stiffness(overlap)];
+        let depth = self.normal.overlap(overlap, &memory.0);
+        let k = [normal, self.tangential.stiffness(depth)];
         let [along, across] = self.dashpot.viscosity(k, overlap);
         let shears = self.tangential.is_frictional();
         Stiffness {

@@ -77,6 +77,22 @@ pub const LAWS: &[Card] = &[
         memory: [0, 16],
         source: "Mindlin 1949; Thornton, Cummins & Cleary 2011",
     },
+    Card {
+        name: "mindlin-deresiewicz",
+        choice: LawChoice::MindlinDeresiewicz,
+        summary: "Hertz with partial slip, two reversals remembered: what the program of 1989 ran",
+        parameters: &[YOUNG, POISSON, FRICTION],
+        memory: [0, 48],
+        source: "Mindlin & Deresiewicz 1953; Randall 1989, 4.3, corrected",
+    },
+    Card {
+        name: "mindlin-deresiewicz-exact",
+        choice: LawChoice::MindlinDeresiewiczExact,
+        summary: "Hertz with partial slip, the whole history remembered in up to `nodes` numbers",
+        parameters: &[YOUNG, POISSON, FRICTION],
+        memory: [0, 528],
+        source: "Mindlin & Deresiewicz 1953; Jäger 1993, Ciavarella 1998",
+    },
 ];
 
 /// Their names, for keys of presets.

@@ -7,18 +7,22 @@
 
 pub mod dashpot;
 pub mod diagram;
+pub mod exact;
 pub mod hertz;
 pub mod hertz_mindlin;
 mod history;
+pub mod incremental_hertz;
 pub mod law;
 pub mod laws;
 pub mod linear;
 pub mod memory;
+pub mod mindlin_deresiewicz;
 pub mod parts;
 pub mod pass;
 pub mod quantities;
 pub mod rolling;
 pub mod traction;
+pub mod two_reversals;
 
 pub use law::Law;
 pub use parts::{Normal, Rolling, Tangential, Viscosity};

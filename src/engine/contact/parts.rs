@@ -18,6 +18,11 @@ pub trait Normal: Copy + Send + Sync + 'static {
     fn energy(&self, overlap: f64, memory: &Self::Memory) -> f64;
     /// The spring force at this overlap, or the one the memory holds [N]; memory does not advance.
     fn held(&self, overlap: f64, memory: &Self::Memory) -> f64;
+    /// The overlap that the tangential part is to see [m].
+    #[inline(always)]
+    fn overlap(&self, overlap: f64, _memory: &Self::Memory) -> f64 {
+        overlap
+    }
     /// Memory that carries a force, as far as it is free to [N].
     fn seed(&self, force: f64) -> Self::Memory;
 }

@@ -129,6 +129,8 @@ pub struct BasisOwned {
     pub r_eff: f64,
     /// Overlap above which the contact is damped critically [m].
     pub critical_above: f64,
+    /// Most nodes in the memory of a contact with exact partial slip.
+    pub nodes: usize,
 }
 
 impl BasisOwned {
@@ -138,6 +140,7 @@ impl BasisOwned {
             m_eff: self.m_eff,
             r_eff: self.r_eff,
             critical_above: self.critical_above,
+            nodes: self.nodes,
         }
     }
 }

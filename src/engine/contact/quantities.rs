@@ -92,4 +92,6 @@ pub struct Basis<'a> {
     pub r_eff: f64,
     /// Overlap above which the contact is damped critically [m]; infinite if never.
     pub critical_above: f64,
+    /// Most nodes in the memory of a contact with exact partial slip.
+    pub nodes: usize,
 }

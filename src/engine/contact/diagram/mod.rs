@@ -44,6 +44,7 @@ mod partial;
 mod polyline;
 mod storage;
 mod sweep;
+mod view;
 
 pub use partial::{Partial, Slip};
 pub use polyline::Diagram;

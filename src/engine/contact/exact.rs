@@ -1,0 +1,105 @@
+//! The exact tangential law as a part of a contact: a memory diagram of at most M nodes.
+
+use super::diagram::{Diagram, Partial};
+use super::hertz;
+use super::memory::Memory;
+use super::parts::Tangential;
+use super::quantities::{Basis, Load, Shear, Touch};
+use super::traction::Traction;
+
+/// Hertzian contact with partial slip and its whole history.
+#[derive(Debug, Clone, Copy)]
+pub struct ExactShear<const M: usize> {
+    partial: Partial,
+    friction: f64,
+}
+
+impl<const M: usize> Memory for Diagram<M> {
+    fn reduced(&self) -> [f64; 2] {
+        [0.0, self.force()]
+    }
+
+    fn visit(&self, see: &mut dyn FnMut(f64)) {
+        self.numbers(see);
+    }
+}
+
+impl<const M: usize> Tangential for ExactShear<M> {
+    type Memory = Diagram<M>;
+    const ACTIVE: bool = true;
+
+    fn prepare(basis: &Basis<'_>) -> Self {
+        let pair = basis.pair;
+        let hertz = hertz::coefficient(pair.young, basis.r_eff);
+        // Two bodies that cannot shear against each other have no shear modulus and no friction.
+        let compliance = if pair.shear > 0.0 {
+            pair.young / (4.0 * pair.shear)
+        } else {
+            1.0
+        };
+        let friction = if pair.shear > 0.0 { pair.friction } else { 0.0 };
+        Self {
+            partial: Partial::new(hertz, compliance, friction, basis.nodes),
+            friction,
+        }
+    }
+
+    #[inline(always)]
+    fn force(&self, touch: &Touch, load: &Load, memory: &mut Diagram<M>) -> Shear {
+        let slip = self
+            .partial
+            .advance(touch.overlap, touch.slide * touch.dt, memory);
+        let limit = self.friction * load.total;
+        Shear {
+            force: slip.force,
+            loss: [slip.gross, slip.micro],
+            sliding: slip.sliding,
+            // A dashpot that pulls must not turn the limit negative.
+            limit: if limit > 0.0 { limit } else { 0.0 },
+        }
+    }
+
+    fn held(&self, memory: &Diagram<M>) -> f64 {
+        self.partial.force(memory)
+    }
+
+    fn stiffness(&self, overlap: f64) -> f64 {
+        if self.friction > 0.0 {
+            self.partial.stiffness(overlap.max(0.0))
+        } else {
+            0.0
+        }
+    }
+
+    fn energy(&self, _: f64, memory: &Diagram<M>) -> f64 {
+        self.partial.energy(memory)
+    }
+
+    fn part(&self, displacement: f64, memory: &Diagram<M>) -> [f64; 2] {
+        let mut memory = *memory;
+        [0.0, self.partial.part(displacement, &mut memory)]
+    }
+
+    fn seed(&self, overlap: f64, force: f64) -> Diagram<M> {
+        self.partial.seed(overlap, force)
+    }
+
+    fn refit(&self, before: &Self, overlap: f64, memory: &Diagram<M>) -> Diagram<M> {
+        if self.partial.is_like(&before.partial) {
+            *memory
+        } else {
+            self.seed(overlap, self.held(memory))
+        }
+    }
+
+    fn is_frictional(&self) -> bool {
+        self.friction > 0.0
+    }
+
+    fn traction(&self, memory: &Diagram<M>) -> Option<Traction> {
+        Some(Traction {
+            steps: self.partial.shares(memory),
+            friction: self.friction,
+        })
+    }
+}

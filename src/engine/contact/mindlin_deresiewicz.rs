@@ -1,0 +1,84 @@
+//! Randall's tangential law as a part of a contact: partial slip with two reversals remembered.
+
+use super::memory::Memory;
+use super::parts::Tangential;
+use super::quantities::{Basis, Load, Shear, Touch};
+use super::two_reversals::{Reversals, TwoReversals};
+
+/// Hertzian contact with partial slip as the program BALL of 1989 had it.
+#[derive(Debug, Clone, Copy)]
+pub struct ReversalShear {
+    law: TwoReversals,
+    /// 8 G* √R* [N/m^1.5].
+    mindlin: f64,
+    friction: f64,
+}
+
+impl Memory for Reversals {
+    fn reduced(&self) -> [f64; 2] {
+        [0.0, self.force()]
+    }
+
+    fn visit(&self, see: &mut dyn FnMut(f64)) {
+        self.numbers(see);
+    }
+}
+
+impl Tangential for ReversalShear {
+    type Memory = Reversals;
+    const ACTIVE: bool = true;
+
+    fn prepare(basis: &Basis<'_>) -> Self {
+        let pair = basis.pair;
+        let friction = if pair.shear > 0.0 { pair.friction } else { 0.0 };
+        Self {
+            law: TwoReversals::new(pair.young, pair.shear, basis.r_eff, friction),
+            mindlin: 8.0 * pair.shear * basis.r_eff.sqrt(),
+            friction,
+        }
+    }
+
+    #[inline(always)]
+    fn force(&self, touch: &Touch, load: &Load, memory: &mut Reversals) -> Shear {
+        let slip = self
+            .law
+            .advance(touch.overlap, touch.slide * touch.dt, memory);
+        let limit = self.friction * load.total;
+        Shear {
+            force: slip.force,
+            loss: [slip.gross, slip.micro],
+            sliding: slip.sliding,
+            // A dashpot that pulls must not turn the limit negative.
+            limit: if limit > 0.0 { limit } else { 0.0 },
+        }
+    }
+
+    fn held(&self, memory: &Reversals) -> f64 {
+        self.law.force(memory)
+    }
+
+    fn stiffness(&self, overlap: f64) -> f64 {
+        if self.friction > 0.0 {
+            self.mindlin * overlap.max(0.0).sqrt()
+        } else {
+            0.0
+        }
+    }
+
+    fn energy(&self, _: f64, memory: &Reversals) -> f64 {
+        self.law.energy(memory)
+    }
+
+    fn part(&self, displacement: f64, memory: &Reversals) -> [f64; 2] {
+        let mut memory = *memory;
+        [0.0, self.law.part(displacement, &mut memory)]
+    }
+
+    fn seed(&self, overlap: f64, force: f64) -> Reversals {
+        self.law.seed(overlap, force)
+    }
+
+    fn is_frictional(&self) -> bool {
+        self.friction > 0.0
+    }
+}

@@ -1,0 +1,322 @@
+//! The tangential law of Mindlin & Deresiewicz with two remembered reversals, as the program BALL
+//! of Randall (1989) ran it, with the equations of chapter 3 put right.
+//!
+//! At constant normal force N the force T lies on one of three curves of slope 8 G\* a θ:
+//!
+//! | branch | θ³ | |
+//! |---|---|---|
+//! | virgin loading | 1 - T/(μN) | (3.53) |
+//! | unloading from T\* | 1 - (T\* - T)/(2μN) | (3.54) |
+//! | reloading from T\*\* | 1 - (T - T\*\*)/(2μN) | (3.55) |
+//!
+//! (for T\* > 0). A reversal below T\*\* is not remembered: the reloading curve is run backwards,
+//! a non-linear elastic path. Reaching -T\*, T\* or T\*\* forgets the curve that led there.
+//!
+//! A change ΔN moves every curve: T by ±μΔN along with a displacement Δs_c = μΔN/(8 G\* a), T\* by
+//! +μΔN and T\*\* by -μΔN ((3.65), (4.16), (4.20), (4.21)). When N rises, a displacement too small
+//! for that leaves the contact stuck at slope 8 G\* a, and what is missing, DD, waits for later
+//! steps. When N falls the curve is followed at once, and a force before its start (θ > 1) moves at
+//! full slope. Both steps together are (3.94) to (3.98).
+//!
+//! The limit of small steps is that of the corrected program; the steps are better:
+//!
+//! - The curve is followed exactly, across its corners, where BALL took the tangent at its start;
+//!   Δs_c = μκΔα is exact too, with the mean of 8 G\* a over the step. No error of the step is left
+//!   at constant N, and one of second order along a branch.
+//! - A contact held in place follows a change of N like any other; BALL left T as it was when the
+//!   displacement was exactly zero.
+//! - The branch is a value of its own ([`Branch`]), for T\*\* = 0 is a legal turning point.
+//!
+//! The law is exact for virgin load, one unloading and one reloading at constant N. It is wrong for
+//! a contact that was stuck while N rose and is relieved of N afterwards, for a reversal while N
+//! falls fast, and for nested loops. It can gain energy there ([`energy`]).
+
+mod curves;
+mod energy;
+
+use serde::{Deserialize, Serialize};
+
+use curves::Run;
+
+/// What a step did.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Slip {
+    /// Force at the end of the step [N].
+    pub force: f64,
+    /// Energy lost by sliding of the whole contact [J].
+    pub gross: f64,
+    /// Energy lost by slip in annuli of the contact [J]; negative while a nested loop is run
+    /// backwards, see [`energy`].
+    pub micro: f64,
+    /// Whether the whole contact slid.
+    pub sliding: bool,
+}
+
+/// The curve that the force is on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub enum Branch {
+    /// Loading without memory.
+    #[default]
+    Virgin,
+    /// After the first reversal, from T\*.
+    Unloading,
+    /// After the second reversal, from T\*\*.
+    Reloading,
+    /// Back along the reloading curve.
+    Reunloading,
+}
+
+/// Memory of a contact.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Reversals {
+    /// Overlap of the last step [m].
+    overlap: f64,
+    /// T [N].
+    force: f64,
+    /// T\* [N]; without meaning on the virgin branch.
+    unloaded_from: f64,
+    /// T\*\* [N]; has a meaning on the last two branches.
+    reloaded_from: f64,
+    /// DD [m]: what the displacement falls short of the curve while the contact is stuck.
+    shortfall: f64,
+    branch: Branch,
+}
+
+impl Reversals {
+    /// T [N].
+    pub fn force(&self) -> f64 {
+        self.force
+    }
+
+    /// Shows every number that the future depends on.
+    pub fn numbers(&self, see: &mut dyn FnMut(f64)) {
+        for number in [
+            self.overlap,
+            self.force,
+            self.unloaded_from,
+            self.reloaded_from,
+            self.shortfall,
+            f64::from(self.branch as u8),
+        ] {
+            see(number);
+        }
+    }
+
+    /// The curve that the force is on.
+    pub fn branch(&self) -> Branch {
+        self.branch
+    }
+
+    /// Sign of the loading direction (CDF): that of T\* once there is one, else of the force, and
+    /// of the displacement where there is no force.
+    fn direction(&self, d: f64) -> f64 {
+        let decides = match self.branch {
+            Branch::Virgin if self.force == 0.0 => d,
+            Branch::Virgin => self.force,
+            _ => self.unloaded_from,
+        };
+        1.0_f64.copysign(decides)
+    }
+
+    /// Sign of progress on the branch, seen in the loading direction (UFL).
+    fn sense(&self) -> f64 {
+        match self.branch {
+            Branch::Virgin | Branch::Reloading => 1.0,
+            Branch::Unloading | Branch::Reunloading => -1.0,
+        }
+    }
+
+    /// The displacement has turned: remembers where, as far as the branch below still exists.
+    fn turn(&mut self) {
+        let direction = self.direction(0.0);
+        let inside = |from: f64, to: f64| direction * from < direction * to;
+        self.shortfall = 0.0;
+        match self.branch {
+            Branch::Virgin => {
+                self.unloaded_from = self.force;
+                self.branch = Branch::Unloading;
+            }
+            Branch::Unloading if inside(self.force, self.unloaded_from) => {
+                self.reloaded_from = self.force;
+                self.branch = Branch::Reloading;
+            }
+            Branch::Unloading => self.forget(),
+            Branch::Reloading if inside(self.reloaded_from, self.force) => {
+                self.branch = Branch::Reunloading;
+            }
+            Branch::Reloading => self.branch = Branch::Unloading,
+            Branch::Reunloading => self.branch = Branch::Reloading,
+        }
+    }
+
+    /// Moves the turning points with the normal force, by ±μΔN [N] (4.20), (4.21).
+    fn shift(&mut self, rise: f64) {
+        if self.branch != Branch::Virgin {
+            self.unloaded_from += rise;
+        }
+        if matches!(self.branch, Branch::Reloading | Branch::Reunloading) {
+            self.reloaded_from -= rise;
+        }
+    }
+
+    /// Forgets all turning points.
+    fn forget(&mut self) {
+        self.branch = Branch::Virgin;
+        self.unloaded_from = 0.0;
+        self.reloaded_from = 0.0;
+        self.shortfall = 0.0;
+    }
+
+    /// Forgets the turning points that a change of the normal force has overtaken.
+    fn settle(&mut self, direction: f64) {
+        let top = direction * self.unloaded_from;
+        let force = direction * self.force;
+        let overtaken = match self.branch {
+            Branch::Virgin => false,
+            Branch::Reloading => force >= top,
+            Branch::Unloading | Branch::Reunloading => force <= -top,
+        };
+        if overtaken || self.branch != Branch::Virgin && top <= 0.0 {
+            self.forget();
+        } else if self.branch == Branch::Reunloading && force <= direction * self.reloaded_from {
+            self.branch = Branch::Unloading;
+        }
+    }
+}
+
+/// A contact as its present overlap shapes it.
+#[derive(Debug, Clone, Copy)]
+struct Size {
+    /// sqrt(α).
+    root: f64,
+    /// μN [N].
+    limit: f64,
+    /// Displacement at which virgin loading slides, 3μN/(16 G\* a) [m] (3.28).
+    slide: f64,
+}
+
+/// The law, prepared for a pair.
+#[derive(Debug, Clone, Copy)]
+pub struct TwoReversals {
+    /// μN/α^1.5.
+    limit: f64,
+    /// 8 G\* sqrt(R\*).
+    shear: f64,
+    /// E\*/(4 G\*): sliding displacement over μα.
+    kappa: f64,
+    friction: f64,
+}
+
+impl TwoReversals {
+    /// From E\* and G\* [Pa], R\* [m] and μ.
+    pub fn new(young_eff: f64, shear_eff: f64, r_eff: f64, friction: f64) -> Self {
+        Self {
+            limit: friction * 4.0 / 3.0 * young_eff * r_eff.sqrt(),
+            shear: 8.0 * shear_eff * r_eff.sqrt(),
+            kappa: young_eff / (4.0 * shear_eff),
+            friction,
+        }
+    }
+
+    fn size(&self, overlap: f64) -> Size {
+        let root = overlap.sqrt();
+        Size {
+            root,
+            limit: self.limit * overlap * root,
+            slide: self.friction * self.kappa * overlap,
+        }
+    }
+
+    /// One step to this overlap with the tangential displacement d [m].
+    #[inline]
+    pub fn advance(&self, overlap: f64, d: f64, memory: &mut Reversals) -> Slip {
+        if overlap <= 0.0 || self.friction <= 0.0 {
+            *memory = Reversals::default();
+            return Slip::default();
+        }
+        let (before, size) = (self.size(memory.overlap), self.size(overlap));
+        memory.overlap = overlap;
+        if memory.force == 0.0 && memory.branch == Branch::Virgin {
+            // Pure normal loading leaves nothing to catch up with.
+            memory.shortfall = 0.0;
+        }
+        if memory.direction(d) * memory.sense() * d < 0.0 {
+            memory.turn();
+        }
+        let direction = memory.direction(d);
+        let sense = direction * memory.sense();
+        let progress = sense * d;
+
+        // All curves move to the new normal force, at the mean of 8 G* a over the change.
+        let rise = size.limit - before.limit;
+        memory.shift(direction * rise);
+        let (r, s) = (size.root, before.root);
+        let stiffness = self.shear * (r * r + r * s + s * s) / (1.5 * (r + s));
+        let pace = rise / stiffness;
+        let missing = pace + memory.shortfall;
+        let landed = memory.force + sense * rise;
+        let mut run = Run::default();
+        if rise < 0.0 {
+            memory.shortfall = (missing - progress).max(0.0);
+            if memory.is_before_start(landed, direction) {
+                memory.force += stiffness * d;
+            } else {
+                memory.force = landed;
+                run = memory.run(&size, sense * (progress - pace));
+            }
+        } else if progress <= missing {
+            memory.force += stiffness * d;
+            memory.shortfall = missing - progress;
+        } else {
+            memory.force += sense * (stiffness * missing);
+            memory.shortfall = 0.0;
+            run = memory.run(&size, sense * (progress - missing));
+        }
+        let surplus = memory.force.abs() - size.limit;
+        if surplus > 0.0 {
+            memory.force = size.limit.copysign(memory.force);
+            memory.forget();
+            run.slid += surplus / stiffness;
+        } else {
+            memory.settle(direction);
+        }
+        Slip {
+            force: memory.force,
+            gross: 0.5 * (before.limit + size.limit) * run.slid,
+            micro: size.limit * size.slide * run.losses,
+            sliding: run.slid > 0.0,
+        }
+    }
+
+    /// The pair comes apart with the displacement d [m]: forgets, and answers the energy lost [J].
+    pub fn part(&self, d: f64, memory: &mut Reversals) -> f64 {
+        let lost = self.energy(memory) + 0.5 * memory.force * d;
+        *memory = Reversals::default();
+        lost
+    }
+
+    /// T [N].
+    pub fn force(&self, memory: &Reversals) -> f64 {
+        memory.force
+    }
+
+    /// Tangent stiffness 8 G\* a θ [N/m].
+    pub fn stiffness(&self, memory: &Reversals) -> f64 {
+        let size = self.size(memory.overlap);
+        let full = self.shear * size.root;
+        if memory.shortfall > 0.0 || size.limit <= 0.0 {
+            return full;
+        }
+        full * memory.theta(&size)
+    }
+
+    /// Memory that carries this force [N] at this overlap on the virgin curve; no more than μN.
+    pub fn seed(&self, overlap: f64, force: f64) -> Reversals {
+        let limit = self.size(overlap).limit;
+        Reversals {
+            overlap,
+            force: force.clamp(-limit, limit),
+            ..Reversals::default()
+        }
+    }
+}
