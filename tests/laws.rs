@@ -234,8 +234,9 @@ fn action_equals_reaction() {
 
 #[test]
 fn the_elastic_limit_conserves_energy() {
-    // Without slip and dashpots an impact gives back what it took; part of it as spin.
-    for law in LAWS {
+    // Without slip and dashpots an impact gives back what it took; part of it as spin. With two
+    // remembered reversals the books do not close: see tests/two_reversals.rs.
+    for law in LAWS.iter().filter(|law| !law.can_gain()) {
         for body in [Body::Disc, Body::Sphere] {
             let mut setup = scene_of(law.choice, 1e6);
             setup.body = body;
@@ -364,7 +365,12 @@ proptest! {
                 // most 8e3 * (4e-5)² = 1e-5 J at the two of each of twelve legs. A spring that
                 // stretches over 1 mm holds 4e-3 J.
                 let gained = rig.energy() - start - work;
-                prop_assert!(gained < 3e-4, "{} round {round}: gained {gained}", law.name);
+                // Two remembered reversals are not the whole history: how much that can gain is
+                // measured elsewhere.
+                prop_assert!(
+                    gained < 3e-4 || law.can_gain(),
+                    "{} round {round}: gained {gained}", law.name
+                );
             }
         }
     }
@@ -391,7 +397,16 @@ fn a_loop_with_slip_loses_and_one_without_does_not() {
         // on the pair has the sign of T times the travel along t = (0, -1).
         let (stuck, slipped) = (-lost(1e-3), -lost(6e-3));
         let scale = 0.5 * 0.8e4 * 1e-6;
-        assert!(stuck.abs() < 1e-2 * scale, "{}: {stuck}", law.name);
+        if law.slips_partially() {
+            // Outer annuli slip at once: a loop loses, but far less than a slide does.
+            assert!(
+                stuck > 0.0 && stuck < 0.1 * slipped,
+                "{}: {stuck}",
+                law.name
+            );
+        } else {
+            assert!(stuck.abs() < 1e-2 * scale, "{}: {stuck}", law.name);
+        }
         assert!(slipped > 10.0 * scale, "{}: {slipped}", law.name);
     }
 }

@@ -35,6 +35,19 @@ impl Card {
     pub fn shears(&self) -> bool {
         self.choice != LawChoice::Hertz
     }
+
+    /// Whether outer parts of a contact slip before all of it slides.
+    pub fn slips_partially(&self) -> bool {
+        matches!(
+            self.choice,
+            LawChoice::MindlinDeresiewicz | LawChoice::MindlinDeresiewiczExact
+        )
+    }
+
+    /// Whether a closed cycle can gain energy.
+    pub fn can_gain(&self) -> bool {
+        self.choice == LawChoice::MindlinDeresiewicz
+    }
 }
 
 const fn parameter(key: &'static str, unit: &'static str, summary: &'static str) -> Parameter {

@@ -1,0 +1,85 @@
+//! Normal impacts: Hertz's closed form, restitution asked and measured.
+
+use ballast::engine::setup::{Damping, Dashpot, LawChoice};
+
+use crate::shots::Shot;
+
+/// Hertz: (5.9), (5.12) of Randall 1989 with the exact constant 2.9432.
+#[test]
+fn hertz_impacts_have_their_closed_form() {
+    for twin in [false, true] {
+        let shot = Shot {
+            twin,
+            steps: 2000.0,
+            ..Shot::thesis(LawChoice::Hertz, 0.0)
+        };
+        let [depth, force, time] = shot.hertz();
+        let flight = shot.fire();
+        if !twin {
+            // Values of Randall's case to all digits the reference gives.
+            assert!((time / 8.321_889_27e-6 - 1.0).abs() < 1e-8, "{time}");
+            assert!((force / 5.777_795_33 - 1.0).abs() < 1e-8, "{force}");
+        }
+        // The largest value is between two boundaries: off by less than (π/2/2000)²/2 of itself.
+        assert!((flight.deepest / depth - 1.0).abs() < 2e-6, "{flight:?}");
+        assert!((flight.largest[0] / force - 1.0).abs() < 2e-6);
+        // A step at either end.
+        assert!((flight.steps as f64 * flight.dt / time - 1.0).abs() < 2.0 / 2000.0);
+        assert!(
+            (flight.v[0] / shot.velocity[0] - 1.0).abs() < 1e-8,
+            "{:?}",
+            flight.v
+        );
+    }
+}
+
+fn measured(e: f64, steps: f64, phase: f64, radius: f64, speed: f64, centred: bool) -> f64 {
+    let shot = Shot {
+        radius,
+        velocity: [speed, 0.0],
+        damping: Damping {
+            contact: Dashpot::Restitution(e),
+            centred,
+            ..Damping::default()
+        },
+        steps,
+        phase,
+        ..Shot::thesis(LawChoice::Hertz, 0.0)
+    };
+    shot.fire().v[0] / speed
+}
+
+/// 0.7e-3 off at most with velocities half a step old, 5e-5 with centred ones.
+#[test]
+fn restitution_asked_is_restitution_measured() {
+    for e in [0.2, 0.4, 0.6, 0.8, 0.95, 1.0] {
+        for radius in [1e-5, 1e-3, 1.0] {
+            for speed in [1e-3, 0.1, 10.0] {
+                for (centred, within) in [(false, 1e-3), (true, 1e-4)] {
+                    let off = measured(e, 350.0, 0.5, radius, speed, centred) - e;
+                    assert!(off.abs() < within, "{e} {radius} {speed} {centred}: {off}");
+                }
+            }
+        }
+    }
+}
+
+/// The dashpot sees the velocity of half a step before: it acts late, first order in the step.
+/// Mean over phases of the first touch, 80 steps in a contact (FRAC 0.1 of the thesis' case).
+#[test]
+fn the_lag_of_the_dashpot_is_of_first_order_and_mends() {
+    let mean = |e: f64, steps: f64, centred: bool| {
+        let phases = (0..16).map(|k| f64::from(k) / 16.0);
+        let sum: f64 = phases
+            .map(|phase| measured(e, steps, phase, 1e-3, 1.0, centred))
+            .sum();
+        sum / 16.0 - e
+    };
+    for e in [0.2, 0.5, 0.7, 0.9] {
+        assert!(mean(e, 80.0, false).abs() < 5e-3);
+        assert!(mean(e, 80.0, true).abs() < 1e-4);
+    }
+    let order = (mean(0.3, 35.0, false) / mean(0.3, 140.0, false)).log2() / 2.0;
+    assert!((order - 1.0).abs() < 0.1, "{order}");
+    assert!(mean(0.3, 35.0, true).abs() < 0.05 * mean(0.3, 35.0, false).abs());
+}
