@@ -260,6 +260,7 @@ impl World {
     pub fn set_frac(&mut self, frac: f64) {
         self.booked(|world| {
             world.model.frac = frac;
+            world.model.frac_auto = None;
             world.keeping_velocities(Self::retime);
         });
     }
@@ -411,7 +412,7 @@ impl World {
 
     /// A change of forces, masses or step moves the half step before a boundary, not the velocity
     /// at the boundary.
-    fn keeping_velocities(&mut self, change: impl FnOnce(&mut Self)) {
+    pub(super) fn keeping_velocities(&mut self, change: impl FnOnce(&mut Self)) {
         let held: Vec<_> = (0..self.particles.len())
             .map(|p| self.velocity(p))
             .collect();
@@ -441,7 +442,7 @@ impl World {
         self.put_pass(pass);
     }
 
-    fn booked(&mut self, change: impl FnOnce(&mut Self)) {
+    pub(super) fn booked(&mut self, change: impl FnOnce(&mut Self)) {
         self.settle();
         let before = self.ledger.is_some().then(|| self.at_stake());
         change(self);

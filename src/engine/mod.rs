@@ -3,6 +3,7 @@
 //! It knows no screen, file, clock or text format. [`setup`] says what a world is built from,
 //! [`world`] is the state, [`step`] the cycle, readable from top to bottom.
 
+pub mod auto_step;
 pub mod bound;
 pub mod contact;
 pub mod contact_report;

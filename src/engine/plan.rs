@@ -10,7 +10,7 @@ use super::contact::incremental_hertz::IncrementalHertz;
 use super::contact::law::{Contact, Law};
 use super::contact::linear::{Frictionless, IncrementalNormal, LinearNormal, LinearShear};
 use super::contact::mindlin_deresiewicz::ReversalShear;
-use super::contact::parts::{Normal, Rolling, Tangential, Viscosity};
+use super::contact::parts::{Normal, Tangential, Viscosity};
 use super::contact::pass::{ContactPass, Pass};
 use super::contact::rolling::{RollingSpring, Unresisted};
 use super::pair::PairTable;
@@ -22,6 +22,10 @@ const MANY_NODES: usize = 64;
 
 /// Which parts are needed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(
+    clippy::struct_excessive_bools,
+    reason = "what a scene models is a list of yes and no"
+)]
 pub struct Plan {
     /// Contact law.
     pub law: LawChoice,
@@ -71,7 +75,8 @@ impl Plan {
         plan
     }
 
-    /// The pass that models it.
+    /// The pass that models it. A loop of its own has what is common and cheap: where friction or
+    /// rolling cost more than dashpots do, dashpots of no strength are part of the loop.
     pub fn pass(self) -> Box<dyn ContactPass> {
         match (self.law, self.normal) {
             (LawChoice::Linear, NormalForm::Total) => self.linear::<LinearNormal>(),
@@ -83,53 +88,55 @@ impl Plan {
 
     fn linear<N: Normal>(self) -> Box<dyn ContactPass> {
         if self.friction {
-            self.with_shear::<N, LinearShear, Constant>()
+            self.light::<N, LinearShear, Constant>()
         } else {
-            self.with_shear::<N, Frictionless, Constant>()
+            self.light::<N, Frictionless, Constant>()
         }
     }
 
     fn hertzian<N: Normal>(self) -> Box<dyn ContactPass> {
         match (self.friction, self.law, self.unloading) {
             (false, ..) | (true, LawChoice::Hertz | LawChoice::Linear, _) => {
-                self.with_shear::<N, Frictionless, Following>()
+                self.light::<N, Frictionless, Following>()
             }
             (true, LawChoice::HertzMindlin, Unloading::Rescale) => {
-                self.with_shear::<N, HertzMindlin<false>, Following>()
+                self.heavy::<N, HertzMindlin<false>, Following>()
             }
             (true, LawChoice::HertzMindlin, Unloading::Keep) => {
-                self.with_shear::<N, HertzMindlin<true>, Following>()
+                self.heavy::<N, HertzMindlin<true>, Following>()
             }
-            (true, LawChoice::MindlinDeresiewicz, _) => {
-                self.with_shear::<N, ReversalShear, Following>()
-            }
+            (true, LawChoice::MindlinDeresiewicz, _) => self.heavy::<N, ReversalShear, Following>(),
+            // The scene refuses sums of increments here: the memory belongs to the overlap.
             (true, LawChoice::MindlinDeresiewiczExact, _) if self.nodes <= FEW_NODES => {
-                self.with_shear::<N, ExactShear<FEW_NODES>, Following>()
+                self.heavy::<Hertz, ExactShear<FEW_NODES>, Following>()
             }
             (true, LawChoice::MindlinDeresiewiczExact, _) => {
-                self.with_shear::<N, ExactShear<MANY_NODES>, Following>()
+                self.heavy::<Hertz, ExactShear<MANY_NODES>, Following>()
             }
         }
     }
 
-    fn with_shear<N: Normal, T: Tangential, D: Viscosity>(self) -> Box<dyn ContactPass> {
-        match (self.rolling, self.dashpots) {
-            // Rare enough not to have its own undamped loop.
-            (true, _) => self.with_law::<N, T, RollingSpring, D>(),
-            (false, true) => self.with_law::<N, T, Unresisted, D>(),
-            (false, false) => self.with_law::<N, T, Unresisted, Undamped>(),
-        }
-    }
-
-    fn with_law<N: Normal, T: Tangential, R: Rolling, D: Viscosity>(self) -> Box<dyn ContactPass> {
-        if self.ledger {
-            booked::<Contact<N, T, R, D>>()
+    fn light<N: Normal, T: Tangential, D: Viscosity>(self) -> Box<dyn ContactPass> {
+        if self.rolling || self.dashpots {
+            self.heavy::<N, T, D>()
         } else {
-            Box::new(Pass::<Contact<N, T, R, D>, false>::new())
+            self.with_ledger::<Contact<N, T, Unresisted, Undamped>>()
         }
     }
-}
 
-fn booked<L: Law>() -> Box<dyn ContactPass> {
-    Box::new(Pass::<L, true>::new())
+    fn heavy<N: Normal, T: Tangential, D: Viscosity>(self) -> Box<dyn ContactPass> {
+        if self.rolling {
+            Box::new(Pass::<Contact<N, T, RollingSpring, D>, true>::new())
+        } else {
+            self.with_ledger::<Contact<N, T, Unresisted, D>>()
+        }
+    }
+
+    fn with_ledger<L: Law>(self) -> Box<dyn ContactPass> {
+        if self.ledger {
+            Box::new(Pass::<L, true>::new())
+        } else {
+            Box::new(Pass::<L, false>::new())
+        }
+    }
 }

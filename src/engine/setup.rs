@@ -229,6 +229,8 @@ pub struct Setup {
     pub time_step: TimeStepChoice,
     /// Multiple of that step.
     pub frac: f64,
+    /// Share of the stability bound that the step keeps to instead.
+    pub frac_auto: Option<f64>,
     /// Whether particles can turn.
     pub rotation: bool,
     /// Body force, if any.

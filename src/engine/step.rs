@@ -31,6 +31,7 @@ impl World {
         }
         self.touch(self.dt)?;
         self.arrive();
+        self.keep_step();
         Ok(())
     }
 

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::auto_step::StepChanges;
 use super::contact::pass::{BasisOwned, ContactPass};
 use super::fault::Fault;
 use super::ledger::Ledger;
@@ -36,6 +37,7 @@ pub struct World {
     /// Whether `particles.force` holds the sums of this boundary.
     pub(super) settled: bool,
     pub(super) fracc: FraccMonitor,
+    pub(super) step_changes: StepChanges,
     pub(super) tol: f64,
     /// Overlap above which a contact is damped critically [m].
     pub(super) critical_above: f64,
@@ -97,6 +99,7 @@ impl World {
             ledger: setup.ledger.then(Ledger::default),
             settled: false,
             fracc: FraccMonitor::default(),
+            step_changes: StepChanges::default(),
             tol: if tol.is_finite() { tol } else { 1.0 },
             critical_above: f64::INFINITY,
             size,
@@ -342,7 +345,7 @@ impl World {
             self.base_step = base;
         }
         self.since = (time, self.cycle);
-        self.dt = self.model.frac * self.base_step;
+        self.dt = self.step_now();
         self.mobilise();
     }
 

@@ -37,6 +37,8 @@ pub enum Command {
     Friction(f64, FrictionOf),
     /// Sets FRAC, the multiple of the reference time step [-].
     Frac(f64),
+    /// Keeps the step to this share of the stability bound.
+    FracAuto(f64),
     /// Sets a kind of damping, in the unit of that kind.
     Damp(Damper, f64),
     /// Sets the factor on the velocities in each cycle [-].
@@ -125,7 +127,7 @@ impl Command {
             Self::Particle(..) => "particle",
             Self::Property(..) => "property",
             Self::Friction(..) => "friction",
-            Self::Frac(_) => "frac",
+            Self::Frac(_) | Self::FracAuto(_) => "frac",
             Self::Damp(..) => "damp",
             Self::Con1(_) => "con1",
             Self::Gravity(_) => "gravity",
@@ -164,6 +166,7 @@ impl fmt::Display for Command {
                 write!(f, " {} {key} {}", quoted(material), number(*value))
             }
             Self::Friction(value, of) => write!(f, " {}{of}", number(*value)),
+            Self::FracAuto(share) => write!(f, " auto {}", number(*share)),
             Self::Frac(value) | Self::Con1(value) => write!(f, " {}", number(*value)),
             Self::Damp(damper, value) => write!(f, " {damper} {}", number(*value)),
             Self::Gravity(None) => f.write_str(" none"),

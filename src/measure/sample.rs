@@ -246,6 +246,7 @@ mod tests {
             nodes: 16,
             time_step: TimeStepChoice::Critical,
             frac: 0.1,
+            frac_auto: None,
             rotation: true,
             gravity: Some(Gravity::Uniform([0.0, -1.0])),
             damping: Damping {

@@ -76,6 +76,7 @@ impl<'a> Draft<'a> {
                 nodes: 16,
                 time_step: TimeStepChoice::Critical,
                 frac: 0.0,
+                frac_auto: None,
                 rotation: true,
                 gravity: None,
                 damping: Damping::default(),

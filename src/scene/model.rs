@@ -5,6 +5,7 @@ use super::gravity;
 use super::key::{Absent, Bounds, Form, Key};
 use super::reader::{Reader, WordOrNumber};
 use super::section::{Section, Shape};
+use crate::engine::auto_step::USUAL_SHARE;
 use crate::engine::contact::laws;
 use crate::engine::setup::{Body, LawChoice, NormalForm, TimeStepChoice, Unloading};
 
@@ -65,15 +66,15 @@ const KEYS: &[Key] = &[
             Bounds::POSITIVE,
         ),
         unit: "s",
-        absent: Absent::Said("\"rayleigh\" for spheres, \"critical\" for discs"),
+        absent: Absent::Said("\"critical\" for discs with the linear law, else \"rayleigh\""),
         summary: "step that `frac` multiplies; a number is in seconds",
     },
     Key {
         name: "frac",
-        form: Form::Number(Bounds::POSITIVE),
+        form: Form::WordOrNumber(&["auto"], Bounds::POSITIVE),
         unit: "-",
         absent: Absent::Said("0.1; 1 if time_step is a number"),
-        summary: "multiple of `time_step` that is used (FRAC)",
+        summary: "multiple of `time_step` that is used (FRAC), or \"auto\": half of the stability bound",
     },
     Key {
         name: "seed",
@@ -131,14 +132,36 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
         _ => Unloading::Rescale,
     };
     setup.nodes = reader.count("nodes").unwrap_or_default() as u8;
-    setup.time_step = given.unwrap_or(match body {
-        Body::Sphere => TimeStepChoice::Rayleigh,
-        Body::Disc => TimeStepChoice::Critical,
+    if law == Some(LawChoice::MindlinDeresiewiczExact) && setup.normal == NormalForm::Incremental {
+        reader.refuse(
+            "normal",
+            "normal = \"incremental\" contradicts the exact law of partial slip",
+            "its memory belongs to the overlap, not to a sum of increments",
+            "leave `normal` out, or write law = \"mindlin-deresiewicz\", which ran that way in 1989",
+        );
+    }
+    setup.time_step = given.unwrap_or(match (body, law) {
+        (Body::Disc, Some(LawChoice::Linear)) => TimeStepChoice::Critical,
+        _ => TimeStepChoice::Rayleigh,
     });
-    setup.frac = match (reader.number("frac"), setup.time_step) {
-        (Some(frac), _) => frac,
-        (None, TimeStepChoice::Seconds(_)) => 1.0,
-        (None, _) => 0.1,
+    if given == Some(TimeStepChoice::Critical)
+        && let Some(law) = law
+        && law != LawChoice::Linear
+    {
+        let name = laws::name(law);
+        reader.refuse(
+            "time_step",
+            &format!("time_step = \"critical\" needs constant springs, and {name} has none"),
+            "the stiffness of these contacts follows the load",
+            "write time_step = \"rayleigh\", or frac = \"auto\" to follow the stability bound",
+        );
+    }
+    let frac = reader.word_or_number("frac");
+    setup.frac_auto = matches!(frac, Some(WordOrNumber::Word(_))).then_some(USUAL_SHARE);
+    setup.frac = match (frac, setup.time_step) {
+        (Some(WordOrNumber::Number(frac)), _) => frac,
+        (_, TimeStepChoice::Seconds(_)) => 1.0,
+        _ => 0.1,
     };
     setup.rotation = reader.flag("rotation").unwrap_or_default();
     setup.gravity = gravity::read(reader);

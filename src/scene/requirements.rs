@@ -27,6 +27,7 @@ pub(crate) fn check(draft: &Draft<'_>) {
             by_any[wall.material] = true;
         }
     }
+    cohesion(draft);
     for (k, material) in setup.materials.iter().enumerate() {
         let mark = draft.materials[k];
         if !mark.sound || material.rigid {
@@ -46,6 +47,44 @@ pub(crate) fn check(draft: &Draft<'_>) {
         // Once is enough.
         if by_particle[k] && (setup.law == LawChoice::Linear || !by_any[k]) {
             lacks.time_step();
+        }
+    }
+}
+
+/// Reports cohesion that the law of the scene does not know.
+fn cohesion(draft: &Draft<'_>) {
+    let law = laws::card(draft.setup.law);
+    if law.reads("cohesion") {
+        return;
+    }
+    let report = |what: String, place: Place| {
+        draft.report.add(
+            Problem::new(
+                format!("{what} cohesion, which the law {} does not know", law.name),
+                place,
+            )
+            .expected("given here")
+            .remedy("leave it out, or write law = \"hertz-mindlin\" or \"linear\" in [model]"),
+        );
+    };
+    let places = draft.materials.iter().map(|mark| mark.place);
+    for (material, place) in draft.setup.materials.iter().zip(places) {
+        if material.cohesion > 0.0 {
+            report(format!("[material.{}] has", material.name), place);
+        }
+    }
+    if draft
+        .setup
+        .pairs
+        .iter()
+        .any(|pair| pair.cohesion > Some(0.0))
+    {
+        report("a [[pair]] has".into(), draft.model.place);
+    }
+    for (stage, place) in &draft.stages {
+        let gives = |command: &Command| matches!(command, Command::Property(_, Property::Cohesion, value) if *value > 0.0);
+        if stage.commands.iter().any(gives) {
+            report(format!("stage `{}` gives", stage.name), *place);
         }
     }
 }

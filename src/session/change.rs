@@ -4,6 +4,7 @@ use super::Refusal;
 use super::figure::{figure, vector};
 use super::print::prescribed;
 use crate::engine::World;
+use crate::engine::contact::laws;
 use crate::engine::edit::Motion;
 use crate::engine::setup::{
     Damping, Dashpot, Material, PairOverride, ParticleSetup, Setup, WallSetup,
@@ -25,17 +26,15 @@ pub(super) fn world(world: &mut World, command: &Command) -> Result<String, Refu
         Command::Delete(range) => Ok(delete(world, *range)),
         Command::Wall(name, change) => wall(world, name, change),
         Command::Particle(id, change) => particle(world, *id, change),
-        Command::Property(material, key, value) => Ok(property(world, material, *key, *value)),
+        Command::Property(material, key, value) => property(world, material, *key, *value),
         Command::Friction(value, of) => Ok(friction(world, *value, of)),
         Command::Frac(frac) => {
             world.set_frac(*frac);
-            let limit = world.frac_limit();
-            let limit = if limit.is_finite() {
-                format!("frac limit {}", figure(limit))
-            } else {
-                "no frac limit yet, nothing touches".into()
-            };
-            Ok(format!("dt = {} s, {limit}", figure(world.dt())))
+            Ok(step(world))
+        }
+        Command::FracAuto(share) => {
+            world.set_frac_auto(Some(*share));
+            Ok(step(world))
         }
         Command::Damp(damper, value) => {
             world.set_damping(damping(world.model().damping, *damper, *value));
@@ -249,7 +248,30 @@ fn particle(world: &mut World, id: u32, change: &ParticleChange) -> Result<Strin
     Ok(text)
 }
 
-fn property(world: &mut World, material: &str, key: Property, value: f64) -> String {
+/// The step and how far it may go.
+fn step(world: &World) -> String {
+    let limit = world.frac_limit();
+    let limit = if limit.is_finite() {
+        format!("frac limit {}", figure(limit))
+    } else {
+        "no frac limit yet, nothing touches".into()
+    };
+    format!("dt = {} s, {limit}", figure(world.dt()))
+}
+
+fn property(
+    world: &mut World,
+    material: &str,
+    key: Property,
+    value: f64,
+) -> Result<String, Refusal> {
+    let law = laws::card(world.model().law);
+    if key == Property::Cohesion && value > 0.0 && !law.reads("cohesion") {
+        return Err(Refusal::new(
+            format!("the law {} knows no cohesion", law.name),
+            "linear and hertz-mindlin do: set model.law in the preset",
+        ));
+    }
     world.change_materials(|model| {
         // A wall with friction of its own still is of its material otherwise.
         let of_wall = format!("{material}@");
@@ -269,11 +291,11 @@ fn property(world: &mut World, material: &str, key: Property, value: f64) -> Str
             }
         }
     });
-    format!(
+    Ok(format!(
         "{material} {key} = {}, dt = {} s",
         figure(value),
         figure(world.dt())
-    )
+    ))
 }
 
 fn damping(now: Damping, damper: Damper, value: f64) -> Damping {

@@ -181,7 +181,7 @@ impl Session {
             cycle: world.cycle_number(),
             time: world.time(),
             dt: world.dt(),
-            frac: world.model().frac,
+            frac: world.frac(),
             frac_limit,
             stage: self.stage_name().to_owned(),
             stages: ((stage + 1).min(stages), stages),

@@ -43,6 +43,7 @@ pub(crate) fn scene(material: Material) -> Setup {
         nodes: 16,
         time_step: TimeStepChoice::Critical,
         frac: 0.1,
+        frac_auto: None,
         rotation: true,
         gravity: None,
         damping: Damping::default(),

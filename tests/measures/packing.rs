@@ -49,6 +49,7 @@ pub(crate) fn setup(discs: &[Disc]) -> Setup {
         nodes: 16,
         time_step: TimeStepChoice::Critical,
         frac: 0.1,
+        frac_auto: None,
         rotation: true,
         gravity: None,
         damping: Damping::default(),

@@ -140,6 +140,7 @@ pub(crate) fn frame() -> Frame {
         }),
         bookings: Some(Bookings {
             friction_loss: 0.7,
+            slip_loss: 0.0,
             damping_loss: 0.95,
             global_loss: 0.0,
             boundary_work: -0.39,

@@ -84,6 +84,7 @@ fn changes_model(command: &Command) -> bool {
         Command::Friction(..)
             | Command::Property(..)
             | Command::Frac(_)
+            | Command::FracAuto(_)
             | Command::Damp(..)
             | Command::Con1(_)
             | Command::Gravity(_)

@@ -36,6 +36,11 @@ impl Card {
         self.choice != LawChoice::Hertz
     }
 
+    /// Whether it reads a key of a material.
+    pub fn reads(&self, key: &str) -> bool {
+        self.parameters.iter().any(|parameter| parameter.key == key)
+    }
+
     /// Whether outer parts of a contact slip before all of it slides.
     pub fn slips_partially(&self) -> bool {
         matches!(
@@ -125,11 +130,16 @@ pub fn choice(name: &str) -> Option<LawChoice> {
     Some(card.choice)
 }
 
-/// The name of a law.
+/// The row of a law.
 ///
 /// # Panics
 /// If a law is missing in the list.
-pub fn name(choice: LawChoice) -> &'static str {
+pub fn card(choice: LawChoice) -> &'static Card {
     let card = LAWS.iter().find(|card| card.choice == choice);
-    card.expect("every law has its row").name
+    card.expect("every law has its row")
+}
+
+/// The name of a law.
+pub fn name(choice: LawChoice) -> &'static str {
+    card(choice).name
 }

@@ -34,7 +34,7 @@ pub(super) fn lines(world: &World) -> Vec<String> {
             "base step",
             format!("{}: {base}", seconds(world.base_step())),
         ),
-        ("frac", figure(model.frac)),
+        ("frac", frac(world)),
         ("frac limit", limit(world)),
         ("largest FRACC since the last row", largest),
         (
@@ -53,6 +53,29 @@ pub(super) fn lines(world: &World) -> Vec<String> {
             world.contacts().rebuilds.to_string(),
         ),
     ])
+}
+
+/// The multiple of the base step, and whether it follows the bound.
+fn frac(world: &World) -> String {
+    let now = figure(world.frac());
+    let Some(share) = world.model().frac_auto else {
+        return now;
+    };
+    let changes = world.step_changes();
+    let last = changes
+        .last
+        .map_or_else(String::new, |(cycle, before, after)| {
+            format!(
+                ", last at cycle {cycle} from {} s to {} s",
+                figure(before),
+                figure(after)
+            )
+        });
+    let count = changes.count;
+    format!(
+        "{now}, auto: {} of the bound; {count} changes{last}",
+        figure(share)
+    )
 }
 
 /// The stability bound and the particle that sets it.
