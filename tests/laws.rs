@@ -3,7 +3,7 @@
 mod common;
 
 use ballast::engine::World;
-use ballast::engine::contact::laws::LAWS;
+use ballast::engine::contact::laws::{Card, LAWS, Slip};
 use ballast::engine::edit::Motion;
 use ballast::engine::neighbours::Status;
 use ballast::engine::setup::{
@@ -13,6 +13,10 @@ use ballast::measure::columns::Partner;
 use ballast::measure::sample::find_contact;
 use common::*;
 use proptest::prelude::*;
+
+fn choice(law: &Card) -> LawChoice {
+    LawChoice::named(law.name).expect("it is in the list")
+}
 
 /// Time step of free pairs [s].
 const STEP: f64 = 1e-5;
@@ -76,7 +80,7 @@ impl Rig {
 #[test]
 fn nothing_at_first_touch() {
     for law in LAWS {
-        let mut rig = Rig::new(law.choice, 0.5, -1e-12, Damping::default());
+        let mut rig = Rig::new(choice(law), 0.5, -1e-12, Damping::default());
         assert_eq!(rig.forces(), [0.0; 2]);
         // A touch by 1e-12 with a far larger step across: the force is no more than that overlap gives.
         rig.step(2e-12, 1e-8);
@@ -100,7 +104,7 @@ fn nothing_at_first_touch() {
 fn the_memory_is_what_the_card_says() {
     for law in LAWS {
         for (friction, bytes) in [(0.0, law.memory[0]), (0.5, law.memory[1])] {
-            let rig = Rig::new(law.choice, friction, 1e-3, Damping::default());
+            let rig = Rig::new(choice(law), friction, 1e-3, Damping::default());
             assert_eq!(rig.world.pass().bytes()[1], bytes, "{}", law.name);
         }
     }
@@ -175,7 +179,7 @@ fn same(a: &[[f64; 2]], b: &[[f64; 2]], within: f64) -> bool {
 fn mirrors_rotations_and_numbering_do_not_matter() {
     for law in LAWS {
         for wall in [false, true] {
-            let (forces, ends) = pair(law.choice, false, 0.0, false, wall);
+            let (forces, ends) = pair(choice(law), false, 0.0, false, wall);
             let largest = range(&forces.iter().map(|f| f[0]).collect::<Vec<_>>())[1];
             let shear = range(&forces.iter().map(|f| f[1].abs()).collect::<Vec<_>>())[1];
             assert!(
@@ -190,7 +194,7 @@ fn mirrors_rotations_and_numbering_do_not_matter() {
                 (true, -1.3, true),
                 (false, 0.0, true),
             ] {
-                let (other, other_ends) = pair(law.choice, mirror, angle, swap, wall);
+                let (other, other_ends) = pair(choice(law), mirror, angle, swap, wall);
                 // Rounding of coordinates of size 1 (1e-16) times stiffness (1e4), over some
                 // hundred periods of linear growth.
                 let what = format!("{}: {mirror} {angle} {swap} {wall}", law.name);
@@ -204,7 +208,7 @@ fn mirrors_rotations_and_numbering_do_not_matter() {
 #[test]
 fn action_equals_reaction() {
     for law in LAWS {
-        let mut setup = scene_of(law.choice, 0.3);
+        let mut setup = scene_of(choice(law), 0.3);
         setup.damping = contact_damping(0.3);
         setup.particles = vec![
             moving(-0.9, 0.2, 1.0, [0.3, 0.8], 1.5),
@@ -236,9 +240,9 @@ fn action_equals_reaction() {
 fn the_elastic_limit_conserves_energy() {
     // Without slip and dashpots an impact gives back what it took; part of it as spin. With two
     // remembered reversals the books do not close: see tests/two_reversals.rs.
-    for law in LAWS.iter().filter(|law| !law.can_gain()) {
+    for law in LAWS.iter().filter(|law| !law.gain.is_some()) {
         for body in [Body::Disc, Body::Sphere] {
-            let mut setup = scene_of(law.choice, 1e6);
+            let mut setup = scene_of(choice(law), 1e6);
             setup.body = body;
             setup.particles = vec![
                 moving(-1.01, 0.2, 1.0, [2.0, 0.5], 3.0),
@@ -287,7 +291,7 @@ fn the_elastic_limit_conserves_energy() {
 fn the_incremental_form_follows_the_total_one() {
     // Head-on both sums are the same up to rounding; off centre the increments drift.
     let bounce = |normal: NormalForm, offset: f64| {
-        let mut setup = scene_of(LawChoice::Linear, 0.0);
+        let mut setup = scene_of(LawChoice::linear(), 0.0);
         setup.normal = normal;
         setup.particles = vec![
             moving(-0.999, offset, 1.0, [5.0, 0.0], 0.0),
@@ -327,7 +331,7 @@ proptest! {
                 pull,
                 ..Damping::default()
             };
-            let mut rig = Rig::new(law.choice, friction, 5e-3, damping);
+            let mut rig = Rig::new(choice(law), friction, 5e-3, damping);
             rig.world.change_materials(|model| model.materials[0].cohesion = cohesion);
             // Legs of a path of overlap and tangential position, and back to its beginning; then
             // the same again: from then on the loop is closed for the springs, too.
@@ -368,7 +372,7 @@ proptest! {
                 // Two remembered reversals are not the whole history: how much that can gain is
                 // measured elsewhere.
                 prop_assert!(
-                    gained < 3e-4 || law.can_gain(),
+                    gained < 3e-4 || law.gain.is_some(),
                     "{} round {round}: gained {gained}", law.name
                 );
             }
@@ -380,7 +384,7 @@ proptest! {
 fn a_loop_with_slip_loses_and_one_without_does_not() {
     for law in LAWS.iter().filter(|law| law.shears()) {
         let lost = |reach: f64| {
-            let mut rig = Rig::new(law.choice, 0.5, 5e-3, Damping::default());
+            let mut rig = Rig::new(choice(law), 0.5, 5e-3, Damping::default());
             let (mut work, mut before) = (0.0, 0.0);
             for leg in [1.0, -1.0, -1.0, 1.0] {
                 for _ in 0..1000 {
@@ -397,7 +401,7 @@ fn a_loop_with_slip_loses_and_one_without_does_not() {
         // on the pair has the sign of T times the travel along t = (0, -1).
         let (stuck, slipped) = (-lost(1e-3), -lost(6e-3));
         let scale = 0.5 * 0.8e4 * 1e-6;
-        if law.slips_partially() {
+        if law.slip == Slip::Partial {
             // Outer annuli slip at once: a loop loses, but far less than a slide does.
             assert!(
                 stuck > 0.0 && stuck < 0.1 * slipped,

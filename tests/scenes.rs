@@ -122,7 +122,7 @@ const SMALL: &str = "[model]\nbody = \"disc\"\n[material.m]\ndensity = 1e3\n\
 fn what_is_left_out_has_the_documented_value() {
     let scene = Scene::parse("small", SMALL, &[]).expect("it is a good preset");
     let setup = &scene.setup;
-    assert_eq!(setup.law, LawChoice::Linear);
+    assert_eq!(setup.law, LawChoice::linear());
     assert_eq!(setup.normal, NormalForm::Total);
     assert_eq!(setup.time_step, TimeStepChoice::Critical);
     assert_eq!(setup.frac, 0.1);

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::contact::dashpot::{fraction_for_restitution, hertz_fraction_for_restitution};
-use super::setup::{Body, Dashpot, LawChoice, Material, PairOverride, Setup};
+use super::setup::{Body, Dashpot, Material, PairOverride, Setup};
 
 /// Parameters of a contact between two materials. What the law of the scene does not use is zero.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -102,8 +102,8 @@ fn combine(
         None if wall => damping.wall.unwrap_or(damping.contact),
         None => damping.contact,
     };
-    let linear = setup.law == LawChoice::Linear;
-    let shears = setup.law != LawChoice::Hertz;
+    let linear = setup.law.has_constant_springs();
+    let shears = setup.law.card().shears();
     let given = |pick: fn(&PairOverride) -> Option<f64>| special.and_then(pick);
     let spring = |pick: fn(&PairOverride) -> Option<f64>, own: fn(&Material) -> Option<f64>| {
         let both = || in_series(side(a, own(a)), side(b, own(b)));
@@ -146,7 +146,7 @@ fn combine(
 /// Fractions of critical and ratios c/k of the normal and the tangential dashpot.
 fn dashpots(setup: &Setup, normal: Dashpot) -> ([f64; 2], [f64; 2]) {
     let damping = &setup.damping;
-    let linear = setup.law == LawChoice::Linear;
+    let linear = setup.law.has_constant_springs();
     let (fraction, beta) = match normal {
         Dashpot::None => (0.0, 0.0),
         Dashpot::Fraction(b) => (b, 0.0),

@@ -1,24 +1,18 @@
 //! What this scene models: the parts a contact is put together from, chosen once.
 //!
-//! Three small matches give every combination; none is written out by hand.
+//! A law's card names its normal and tangential part; what else there is follows from the scene.
 
-use super::contact::dashpot::{Constant, Following, Undamped};
-use super::contact::exact::ExactShear;
+use super::contact::dashpot::{Following, Undamped};
 use super::contact::hertz::Hertz;
-use super::contact::hertz_mindlin::HertzMindlin;
 use super::contact::incremental_hertz::IncrementalHertz;
 use super::contact::law::{Contact, Law};
-use super::contact::linear::{Frictionless, IncrementalNormal, LinearNormal, LinearShear};
-use super::contact::mindlin_deresiewicz::ReversalShear;
+use super::contact::laws::LawChoice;
+use super::contact::linear::Frictionless;
 use super::contact::parts::{Normal, Tangential, Viscosity};
 use super::contact::pass::{ContactPass, Pass};
 use super::contact::rolling::{RollingSpring, Unresisted};
 use super::pair::PairTable;
-use super::setup::{LawChoice, NormalForm, Setup, Unloading};
-
-/// Room for nodes in the memory of a contact with exact partial slip: by default, and at most.
-const FEW_NODES: usize = 16;
-const MANY_NODES: usize = 64;
+use super::setup::{NormalForm, Setup, Unloading};
 
 /// Which parts are needed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -75,48 +69,29 @@ impl Plan {
         plan
     }
 
-    /// The pass that models it. A loop of its own has what is common and cheap: where friction or
-    /// rolling cost more than dashpots do, dashpots of no strength are part of the loop.
-    pub fn pass(self) -> Box<dyn ContactPass> {
-        match (self.law, self.normal) {
-            (LawChoice::Linear, NormalForm::Total) => self.linear::<LinearNormal>(),
-            (LawChoice::Linear, NormalForm::Incremental) => self.linear::<IncrementalNormal>(),
-            (_, NormalForm::Total) => self.hertzian::<Hertz>(),
-            (_, NormalForm::Incremental) => self.hertzian::<IncrementalHertz>(),
+    /// The loop that models it.
+    pub fn pass(&self) -> Box<dyn ContactPass> {
+        (self.law.card().pass)(self)
+    }
+
+    /// Hertz contacts with this shear, if anything rubs.
+    pub(super) fn hertzian<T: Tangential>(&self) -> Box<dyn ContactPass> {
+        match self.normal {
+            NormalForm::Total => self.shearing::<Hertz, T>(),
+            NormalForm::Incremental => self.shearing::<IncrementalHertz, T>(),
         }
     }
 
-    fn linear<N: Normal>(self) -> Box<dyn ContactPass> {
+    fn shearing<N: Normal, T: Tangential>(&self) -> Box<dyn ContactPass> {
         if self.friction {
-            self.light::<N, LinearShear, Constant>()
+            self.heavy::<N, T, Following>()
         } else {
-            self.light::<N, Frictionless, Constant>()
+            self.light::<N, Frictionless, Following>()
         }
     }
 
-    fn hertzian<N: Normal>(self) -> Box<dyn ContactPass> {
-        match (self.friction, self.law, self.unloading) {
-            (false, ..) | (true, LawChoice::Hertz | LawChoice::Linear, _) => {
-                self.light::<N, Frictionless, Following>()
-            }
-            (true, LawChoice::HertzMindlin, Unloading::Rescale) => {
-                self.heavy::<N, HertzMindlin<false>, Following>()
-            }
-            (true, LawChoice::HertzMindlin, Unloading::Keep) => {
-                self.heavy::<N, HertzMindlin<true>, Following>()
-            }
-            (true, LawChoice::MindlinDeresiewicz, _) => self.heavy::<N, ReversalShear, Following>(),
-            // The scene refuses sums of increments here: the memory belongs to the overlap.
-            (true, LawChoice::MindlinDeresiewiczExact, _) if self.nodes <= FEW_NODES => {
-                self.heavy::<Hertz, ExactShear<FEW_NODES>, Following>()
-            }
-            (true, LawChoice::MindlinDeresiewiczExact, _) => {
-                self.heavy::<Hertz, ExactShear<MANY_NODES>, Following>()
-            }
-        }
-    }
-
-    fn light<N: Normal, T: Tangential, D: Viscosity>(self) -> Box<dyn ContactPass> {
+    /// A loop of a law so cheap that it has one of its own without dashpots.
+    pub(super) fn light<N: Normal, T: Tangential, D: Viscosity>(&self) -> Box<dyn ContactPass> {
         if self.rolling || self.dashpots {
             self.heavy::<N, T, D>()
         } else {
@@ -124,7 +99,8 @@ impl Plan {
         }
     }
 
-    fn heavy<N: Normal, T: Tangential, D: Viscosity>(self) -> Box<dyn ContactPass> {
+    /// A loop in which dashpots, if only of no strength, are always part.
+    pub(super) fn heavy<N: Normal, T: Tangential, D: Viscosity>(&self) -> Box<dyn ContactPass> {
         if self.rolling {
             Box::new(Pass::<Contact<N, T, RollingSpring, D>, true>::new())
         } else {
@@ -132,7 +108,7 @@ impl Plan {
         }
     }
 
-    fn with_ledger<L: Law>(self) -> Box<dyn ContactPass> {
+    fn with_ledger<L: Law>(&self) -> Box<dyn ContactPass> {
         if self.ledger {
             Box::new(Pass::<L, true>::new())
         } else {

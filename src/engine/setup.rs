@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+pub use super::contact::laws::LawChoice;
+
 /// What a round particle is: decides mass, moment of inertia and thickness, never the law.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Body {
@@ -9,21 +11,6 @@ pub enum Body {
     Disc,
     /// Sphere whose centre lies in the plane: m = (4/3)πR³ρ, I = (2/5)mR², thickness = mean diameter.
     Sphere,
-}
-
-/// Contact law of the scene.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub enum LawChoice {
-    /// Linear springs with a Coulomb and cohesion limit (Cundall & Strack 1979, (16)-(19)).
-    Linear,
-    /// Hertz, frictionless (Randall 1989, (3.13)).
-    Hertz,
-    /// Hertz with Mindlin's initial shear stiffness 8 G* a.
-    HertzMindlin,
-    /// Hertz with Mindlin and Deresiewicz's partial slip, two reversals remembered (Randall 1989, 4.3).
-    MindlinDeresiewicz,
-    /// Hertz with partial slip, the whole history remembered as a memory diagram.
-    MindlinDeresiewiczExact,
 }
 
 /// How the normal force follows from the motion.

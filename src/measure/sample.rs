@@ -240,7 +240,7 @@ mod tests {
         };
         let setup = Setup {
             body: Body::Disc,
-            law: LawChoice::Linear,
+            law: LawChoice::linear(),
             normal: NormalForm::Total,
             unloading: Unloading::Rescale,
             nodes: 16,

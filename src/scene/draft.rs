@@ -70,7 +70,7 @@ impl<'a> Draft<'a> {
             seed: 0,
             setup: Setup {
                 body: Body::Sphere,
-                law: LawChoice::Linear,
+                law: LawChoice::linear(),
                 normal: NormalForm::Total,
                 unloading: Unloading::Rescale,
                 nodes: 16,

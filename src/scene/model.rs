@@ -132,7 +132,7 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
         _ => Unloading::Rescale,
     };
     setup.nodes = reader.count("nodes").unwrap_or_default() as u8;
-    if law == Some(LawChoice::MindlinDeresiewiczExact) && setup.normal == NormalForm::Incremental {
+    if law == Some(LawChoice::exact()) && setup.normal == NormalForm::Incremental {
         reader.refuse(
             "normal",
             "normal = \"incremental\" contradicts the exact law of partial slip",
@@ -141,14 +141,14 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
         );
     }
     setup.time_step = given.unwrap_or(match (body, law) {
-        (Body::Disc, Some(LawChoice::Linear)) => TimeStepChoice::Critical,
+        (Body::Disc, Some(law)) if law.has_constant_springs() => TimeStepChoice::Critical,
         _ => TimeStepChoice::Rayleigh,
     });
     if given == Some(TimeStepChoice::Critical)
         && let Some(law) = law
-        && law != LawChoice::Linear
+        && !law.has_constant_springs()
     {
-        let name = laws::name(law);
+        let name = law.card().name;
         reader.refuse(
             "time_step",
             &format!("time_step = \"critical\" needs constant springs, and {name} has none"),
@@ -184,11 +184,11 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
 
 fn law(reader: &Reader<'_>, body: Body) -> Option<LawChoice> {
     match (reader.has("law"), body) {
-        (true, _) => laws::choice(reader.word("law")?),
+        (true, _) => LawChoice::named(reader.word("law")?),
         // Which default is meant is not known.
         (false, _) if reader.has("body") && reader.word("body").is_none() => None,
-        (false, Body::Disc) => Some(LawChoice::Linear),
-        (false, Body::Sphere) => Some(LawChoice::MindlinDeresiewiczExact),
+        (false, Body::Disc) => Some(LawChoice::linear()),
+        (false, Body::Sphere) => Some(LawChoice::exact()),
     }
 }
 

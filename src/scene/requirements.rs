@@ -3,7 +3,6 @@
 use super::draft::Draft;
 use super::place::Place;
 use super::problem::Problem;
-use crate::engine::contact::laws;
 use crate::engine::setup::{LawChoice, Material, TimeStepChoice};
 use crate::language::Command;
 use crate::language::command::{FrictionOf, Property};
@@ -39,13 +38,14 @@ pub(crate) fn check(draft: &Draft<'_>) {
             place: mark.place,
         };
         if by_any[k] {
-            match setup.law {
-                LawChoice::Linear => lacks.linear(k),
-                _ => lacks.elastic(setup.law),
+            if setup.law.has_constant_springs() {
+                lacks.linear(k);
+            } else {
+                lacks.elastic(setup.law);
             }
         }
         // Once is enough.
-        if by_particle[k] && (setup.law == LawChoice::Linear || !by_any[k]) {
+        if by_particle[k] && setup.law.has_constant_springs() {
             lacks.time_step();
         }
     }
@@ -53,7 +53,7 @@ pub(crate) fn check(draft: &Draft<'_>) {
 
 /// Reports cohesion that the law of the scene does not know.
 fn cohesion(draft: &Draft<'_>) {
-    let law = laws::card(draft.setup.law);
+    let law = draft.setup.law.card();
     if law.reads("cohesion") {
         return;
     }
@@ -97,7 +97,7 @@ struct Lacks<'d, 'a> {
 
 impl Lacks<'_, '_> {
     fn elastic(&self, law: LawChoice) {
-        let why = format!("the law {}", laws::name(law));
+        let why = format!("the law {}", law.card().name);
         if self.material.young.is_none() {
             self.report("young", "Pa", &why, None);
         }

@@ -4,7 +4,6 @@ use super::Refusal;
 use super::figure::{figure, vector};
 use super::print::prescribed;
 use crate::engine::World;
-use crate::engine::contact::laws;
 use crate::engine::edit::Motion;
 use crate::engine::setup::{
     Damping, Dashpot, Material, PairOverride, ParticleSetup, Setup, WallSetup,
@@ -265,7 +264,7 @@ fn property(
     key: Property,
     value: f64,
 ) -> Result<String, Refusal> {
-    let law = laws::card(world.model().law);
+    let law = world.model().law.card();
     if key == Property::Cohesion && value > 0.0 && !law.reads("cohesion") {
         return Err(Refusal::new(
             format!("the law {} knows no cohesion", law.name),

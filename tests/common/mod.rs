@@ -37,7 +37,7 @@ pub(crate) fn material(normal: f64, shear: f64, friction: f64) -> Material {
 pub(crate) fn scene(material: Material) -> Setup {
     Setup {
         body: Body::Disc,
-        law: LawChoice::Linear,
+        law: LawChoice::linear(),
         normal: NormalForm::Total,
         unloading: Unloading::Rescale,
         nodes: 16,
@@ -56,6 +56,11 @@ pub(crate) fn scene(material: Material) -> Setup {
         overlap_allowed: true,
         ledger: true,
     }
+}
+
+/// A law of the list.
+pub(crate) fn law(name: &str) -> LawChoice {
+    LawChoice::named(name).expect("it is in the list")
 }
 
 /// A free particle at rest.

@@ -1,7 +1,8 @@
 //! Normal impacts: Hertz's closed form, restitution asked and measured.
 
-use ballast::engine::setup::{Damping, Dashpot, LawChoice};
+use ballast::engine::setup::{Damping, Dashpot};
 
+use crate::common::law;
 use crate::shots::Shot;
 
 /// Hertz: (5.9), (5.12) of Randall 1989 with the exact constant 2.9432.
@@ -11,7 +12,7 @@ fn hertz_impacts_have_their_closed_form() {
         let shot = Shot {
             twin,
             steps: 2000.0,
-            ..Shot::thesis(LawChoice::Hertz, 0.0)
+            ..Shot::thesis(law("hertz"), 0.0)
         };
         let [depth, force, time] = shot.hertz();
         let flight = shot.fire();
@@ -44,7 +45,7 @@ fn measured(e: f64, steps: f64, phase: f64, radius: f64, speed: f64, centred: bo
         },
         steps,
         phase,
-        ..Shot::thesis(LawChoice::Hertz, 0.0)
+        ..Shot::thesis(law("hertz"), 0.0)
     };
     shot.fire().v[0] / speed
 }

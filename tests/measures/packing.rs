@@ -43,7 +43,7 @@ pub(crate) fn setup(discs: &[Disc]) -> Setup {
     };
     Setup {
         body: Body::Disc,
-        law: LawChoice::Linear,
+        law: LawChoice::linear(),
         normal: NormalForm::Total,
         unloading: Unloading::Rescale,
         nodes: 16,

@@ -2,7 +2,8 @@
 
 use super::Report;
 use crate::engine::World;
-use crate::engine::setup::{Body, Dashpot, Gravity, LawChoice, NormalForm};
+use crate::engine::contact::laws::Slip;
+use crate::engine::setup::{Body, Dashpot, Gravity, NormalForm};
 use crate::language::Command;
 use crate::scene::Scene;
 
@@ -14,22 +15,11 @@ pub(super) fn describe(report: &mut Report, scene: &Scene, world: &World) {
         Body::Disc => "discs of unit length",
         Body::Sphere => "spheres in a plane",
     });
-    yes.push(match (model.law, plan.normal) {
-        (LawChoice::Linear, NormalForm::Total) => "linear contacts",
-        (LawChoice::Linear, NormalForm::Incremental) => {
-            "linear contacts with the normal force summed from increments"
-        }
-        (_, NormalForm::Total) => "Hertz contacts",
-        (_, NormalForm::Incremental) => {
-            "Hertz contacts with the normal force summed from increments"
-        }
-    });
-    if plan.friction && model.law != LawChoice::Linear {
-        yes.push(match model.law {
-            LawChoice::HertzMindlin => "shear by Mindlin's initial stiffness",
-            LawChoice::MindlinDeresiewicz => "partial slip with two reversals",
-            _ => "partial slip with the whole history",
-        });
+    let law = model.law.card();
+    let contacts = format!("{} contacts", law.name);
+    yes.push(&contacts);
+    if plan.normal == NormalForm::Incremental {
+        yes.push("normal forces summed from increments");
     }
     let separate = model.damping.wall.is_some_and(|wall| wall != Dashpot::None)
         && model.damping.wall != Some(model.damping.contact);
@@ -39,6 +29,10 @@ pub(super) fn describe(report: &mut Report, scene: &Scene, world: &World) {
     };
     for (is, what) in [
         (plan.friction, "friction"),
+        (
+            plan.friction && law.slip == Slip::Partial,
+            "slip within contacts",
+        ),
         (plan.friction && model.rotation, "rotation"),
         (plan.rolling, "rolling resistance"),
         (plan.dashpots, "contact damping"),

@@ -1,11 +1,41 @@
 //! The exact tangential law as a part of a contact: a memory diagram of at most M nodes.
 
+use super::card::{Card, FRICTION, POISSON, Slip, YOUNG};
+use super::dashpot::Following;
 use super::diagram::{Diagram, Partial};
-use super::hertz;
+use super::hertz::{self, Hertz};
+use super::linear::Frictionless;
 use super::memory::Memory;
 use super::parts::Tangential;
+use super::pass::ContactPass;
 use super::quantities::{Basis, Load, Shear, Touch};
 use super::traction::Traction;
+use crate::engine::plan::Plan;
+
+/// Row in the list.
+pub const CARD: Card = Card {
+    name: "mindlin-deresiewicz-exact",
+    summary: "Hertz with partial slip, the whole history remembered in up to `nodes` numbers",
+    parameters: &[YOUNG, POISSON, FRICTION],
+    slip: Slip::Partial,
+    memory: [0, size_of::<Diagram<FEW_NODES>>()],
+    gain: None,
+    source: "Mindlin & Deresiewicz 1953; Jäger 1993, Ciavarella 1998",
+    pass,
+};
+
+/// Room for nodes in the memory of a contact: by default, and at most.
+const FEW_NODES: usize = 16;
+const MANY_NODES: usize = 64;
+
+fn pass(plan: &Plan) -> Box<dyn ContactPass> {
+    // The scene refuses sums of increments here: the memory belongs to the overlap.
+    match plan.friction {
+        false => plan.hertzian::<Frictionless>(),
+        true if plan.nodes <= FEW_NODES => plan.heavy::<Hertz, ExactShear<FEW_NODES>, Following>(),
+        true => plan.heavy::<Hertz, ExactShear<MANY_NODES>, Following>(),
+    }
+}
 
 /// Hertzian contact with partial slip and its whole history.
 #[derive(Debug, Clone, Copy)]

@@ -4,8 +4,22 @@
 //! follows from the overlap itself; the increments of (4.11) and (4.12) are kept as
 //! [`super::incremental_hertz`] for replay.
 
+use super::card::{Card, POISSON, Slip, YOUNG};
+use super::linear::Frictionless;
 use super::parts::Normal;
 use super::quantities::{Basis, Touch};
+
+/// Row in the list.
+pub const CARD: Card = Card {
+    name: "hertz",
+    summary: "Hertz spheres without friction",
+    parameters: &[YOUNG, POISSON],
+    slip: Slip::Frictionless,
+    memory: [0, 0],
+    gain: None,
+    source: "Hertz 1882; Randall 1989, (3.13)",
+    pass: |plan| plan.hertzian::<Frictionless>(),
+};
 
 /// Normal spring of two spheres.
 #[derive(Debug, Clone, Copy)]

@@ -6,10 +6,27 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::card::{COHESION, Card, FRICTION, POISSON, Slip, YOUNG};
 use super::history::{follow, stored};
 use super::memory::Memory;
 use super::parts::Tangential;
 use super::quantities::{Basis, Load, Shear, Touch};
+use crate::engine::setup::Unloading;
+
+/// Row in the list.
+pub const CARD: Card = Card {
+    name: "hertz-mindlin",
+    summary: "Hertz with Mindlin's initial shear stiffness 8 G* a, no slip before all slides",
+    parameters: &[YOUNG, POISSON, FRICTION, COHESION],
+    slip: Slip::Whole,
+    memory: [0, 16],
+    gain: None,
+    source: "Mindlin 1949; Thornton, Cummins & Cleary 2011",
+    pass: |plan| match plan.unloading {
+        Unloading::Rescale => plan.hertzian::<HertzMindlin<false>>(),
+        Unloading::Keep => plan.hertzian::<HertzMindlin<true>>(),
+    },
+};
 
 /// Shear force [N] and the stiffness it was held at [N/m].
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]

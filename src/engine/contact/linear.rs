@@ -5,9 +5,41 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::card::{COHESION, Card, FRICTION, NORMAL, SHEAR, Slip};
+use super::dashpot::Constant;
 use super::memory::Memory;
 use super::parts::{Normal, Tangential};
+use super::pass::ContactPass;
 use super::quantities::{Basis, Load, Shear, Touch};
+use crate::engine::plan::Plan;
+use crate::engine::setup::NormalForm;
+
+/// Row in the list.
+pub const CARD: Card = Card {
+    name: "linear",
+    summary: "linear springs, Coulomb and cohesion limit, dashpots",
+    parameters: &[NORMAL, SHEAR, FRICTION, COHESION],
+    slip: Slip::Whole,
+    memory: [0, 8],
+    gain: None,
+    source: "Cundall & Strack 1979, (16)-(19), (26)-(28)",
+    pass,
+};
+
+fn pass(plan: &Plan) -> Box<dyn ContactPass> {
+    match plan.normal {
+        NormalForm::Total => with::<LinearNormal>(plan),
+        NormalForm::Incremental => with::<IncrementalNormal>(plan),
+    }
+}
+
+fn with<N: Normal>(plan: &Plan) -> Box<dyn ContactPass> {
+    if plan.friction {
+        plan.light::<N, LinearShear, Constant>()
+    } else {
+        plan.light::<N, Frictionless, Constant>()
+    }
+}
 
 /// Normal spring, force from the overlap.
 #[derive(Debug, Clone, Copy)]

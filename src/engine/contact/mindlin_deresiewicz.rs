@@ -1,9 +1,22 @@
 //! Randall's tangential law as a part of a contact: partial slip with two reversals remembered.
 
+use super::card::{Card, FRICTION, POISSON, Slip, YOUNG};
 use super::memory::Memory;
 use super::parts::Tangential;
 use super::quantities::{Basis, Load, Shear, Touch};
 use super::two_reversals::{Reversals, TwoReversals};
+
+/// Row in the list.
+pub const CARD: Card = Card {
+    name: "mindlin-deresiewicz",
+    summary: "Hertz with partial slip, two reversals remembered: what the program of 1989 ran",
+    parameters: &[YOUNG, POISSON, FRICTION],
+    slip: Slip::Partial,
+    memory: [0, 48],
+    gain: Some(f64::NAN),
+    source: "Mindlin & Deresiewicz 1953; Randall 1989, 4.3, corrected",
+    pass: |plan| plan.hertzian::<ReversalShear>(),
+};
 
 /// Hertzian contact with partial slip as the program BALL of 1989 had it.
 #[derive(Debug, Clone, Copy)]
