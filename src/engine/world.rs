@@ -3,7 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::auto_step::StepChanges;
-use super::contact::pass::{BasisOwned, ContactPass};
+use super::contact::pass::ContactPass;
+use super::contact::quantities::BasisOwned;
 use super::fault::Fault;
 use super::ledger::Ledger;
 use super::neighbours::list::ContactList;

@@ -6,11 +6,10 @@
 
 use std::any::Any;
 
-use serde::{Deserialize, Serialize};
-
+pub use super::book::Book;
 use super::law::Law;
 use super::memory::Memory;
-use super::quantities::{Basis, Stiffness, Touch};
+use super::quantities::{BasisOwned, Stiffness, Touch};
 use super::traction::Traction;
 use crate::engine::neighbours::{Slot, Status};
 use crate::engine::particles::Row;
@@ -30,45 +29,6 @@ pub struct View<'a> {
     pub wall_touches: &'a [WallTouch],
     /// Time step [s].
     pub dt: f64,
-}
-
-/// What one contact contributes to the energy ledger.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-pub struct Book {
-    /// Dashpot forces at the last boundary [N].
-    pub damping: [f64; 2],
-    /// Friction beyond the spring's own at the last boundary [N].
-    pub excess: f64,
-    /// Energy lost in the last step by sliding of the whole contact, rolling included, and by slip
-    /// within it [J].
-    pub friction_loss: [f64; 2],
-    /// Energy lost in the dashpots in the last step [J].
-    pub damping_loss: f64,
-    /// Tangential displacement since first touch [m].
-    pub delta: f64,
-    /// Energy lost since first touch: sliding, slip within, dashpots [J].
-    pub lost: [f64; 3],
-}
-
-impl Book {
-    /// Books a step of the contact along the normal and across it [m].
-    fn book(&mut self, loss: [f64; 2], damping: [f64; 2], excess: f64, step: [f64; 2]) {
-        // Both are those of the ends of the step.
-        let mean = |old: f64, new: f64, step: f64| 0.5 * (old + new) * step;
-        self.friction_loss = [loss[0] + mean(self.excess, excess, step[1]), loss[1]];
-        self.damping_loss =
-            mean(self.damping[0], damping[0], step[0]) + mean(self.damping[1], damping[1], step[1]);
-        self.damping = damping;
-        self.excess = excess;
-        self.delta += step[1];
-        for (lost, now) in self.lost.iter_mut().zip([
-            self.friction_loss[0],
-            self.friction_loss[1],
-            self.damping_loss,
-        ]) {
-            *lost += now;
-        }
-    }
 }
 
 /// The dynamic face of a [`Pass`].
@@ -117,32 +77,6 @@ pub trait ContactPass: Send + Sync {
     fn save(&self) -> Vec<u8>;
     /// From a checkpoint; false when the bytes do not fit.
     fn load(&mut self, bytes: &[u8]) -> bool;
-}
-
-/// A [`Basis`] that owns what it is made of.
-pub struct BasisOwned {
-    /// Parameters of the two materials.
-    pub pair: crate::engine::pair::Pair,
-    /// Effective mass [kg].
-    pub m_eff: f64,
-    /// Effective radius [m].
-    pub r_eff: f64,
-    /// Overlap above which the contact is damped critically [m].
-    pub critical_above: f64,
-    /// Most nodes in the memory of a contact with exact partial slip.
-    pub nodes: usize,
-}
-
-impl BasisOwned {
-    fn lend(&self) -> Basis<'_> {
-        Basis {
-            pair: &self.pair,
-            m_eff: self.m_eff,
-            r_eff: self.r_eff,
-            critical_above: self.critical_above,
-            nodes: self.nodes,
-        }
-    }
 }
 
 /// One law over the list. `BOOK`: energies are booked.

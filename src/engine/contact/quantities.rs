@@ -95,3 +95,29 @@ pub struct Basis<'a> {
     /// Most nodes in the memory of a contact with exact partial slip.
     pub nodes: usize,
 }
+
+/// A [`Basis`] that owns what it is made of.
+pub struct BasisOwned {
+    /// Parameters of the two materials.
+    pub pair: Pair,
+    /// Effective mass [kg].
+    pub m_eff: f64,
+    /// Effective radius [m].
+    pub r_eff: f64,
+    /// Overlap above which the contact is damped critically [m].
+    pub critical_above: f64,
+    /// Most nodes in the memory of a contact with exact partial slip.
+    pub nodes: usize,
+}
+
+impl BasisOwned {
+    pub(super) fn lend(&self) -> Basis<'_> {
+        Basis {
+            pair: &self.pair,
+            m_eff: self.m_eff,
+            r_eff: self.r_eff,
+            critical_above: self.critical_above,
+            nodes: self.nodes,
+        }
+    }
+}

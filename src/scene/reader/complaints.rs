@@ -71,7 +71,7 @@ impl Reader<'_> {
         };
         let message = format!("`{}` of {} cannot be {found}", key.name, self.title);
         let advice = match (&key.form, &node.value) {
-            (Form::Number(_) | Form::Count(..), Value::Text(text))
+            (Form::Number(_) | Form::Count(..) | Form::WordOrNumber(..), Value::Text(text))
                 if text.parse::<f64>().is_ok() =>
             {
                 "numbers stand without quotes; ".to_owned()

@@ -193,6 +193,10 @@ impl<'a> Reader<'a> {
             };
         };
         match (&key.form, &node.value) {
+            // A number in quotes is no misspelt word.
+            (Form::WordOrNumber(..), Value::Text(text)) if text.parse::<f64>().is_ok() => {
+                self.wrong(key, node)
+            }
             (Form::Word(words) | Form::WordOrNumber(words, _), Value::Text(text)) => self
                 .listed(key, words, text, node.place)
                 .map(WordOrNumber::Word),
