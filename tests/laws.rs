@@ -242,7 +242,8 @@ fn the_elastic_limit_conserves_energy() {
     // remembered reversals the books do not close: see tests/two_reversals.rs.
     for law in LAWS.iter().filter(|law| !law.gain.is_some()) {
         for body in [Body::Disc, Body::Sphere] {
-            let mut setup = scene_of(choice(law), 1e6);
+            // Enough never to slide: T/N starts at (k_t/k_n) V_T/V_N, which is below 2 here.
+            let mut setup = scene_of(choice(law), 20.0);
             setup.body = body;
             setup.particles = vec![
                 moving(-1.01, 0.2, 1.0, [2.0, 0.5], 3.0),
@@ -265,7 +266,7 @@ fn the_elastic_limit_conserves_energy() {
                 let b = world.bookings().expect("booked");
                 // Second order in the step: (ω dt)² with ω² = 2k/m.
                 assert!(
-                    b.energy_error.abs() < 3e-5,
+                    b.energy_error.abs() < 4e-6,
                     "{}: {}",
                     law.name,
                     b.energy_error
