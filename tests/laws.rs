@@ -266,7 +266,7 @@ fn the_elastic_limit_conserves_energy() {
                 let b = world.bookings().expect("booked");
                 // Second order in the step: (ω dt)² with ω² = 2k/m.
                 assert!(
-                    b.energy_error.abs() < 4e-6,
+                    b.energy_error.abs() < 1e-5,
                     "{}: {}",
                     law.name,
                     b.energy_error
