@@ -5,13 +5,13 @@ use std::fs;
 use crate::{FRICTION, Rig, overlap_at, reference};
 
 /// Rows of a reference file as text.
-fn rows(name: &str) -> Vec<csv::StringRecord> {
+pub(crate) fn rows(name: &str) -> Vec<csv::StringRecord> {
     let text = fs::read_to_string(format!("data/reference/{name}.csv")).expect("the file is there");
     let mut reader = csv::Reader::from_reader(text.as_bytes());
     reader.records().map(|row| row.expect("a row")).collect()
 }
 
-fn number(row: &csv::StringRecord, k: usize) -> f64 {
+pub(crate) fn number(row: &csv::StringRecord, k: usize) -> f64 {
     row[k].parse().expect("a number")
 }
 

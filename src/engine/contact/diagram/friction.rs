@@ -16,21 +16,12 @@ impl Partial {
     /// Lets a memory of higher friction slip to the present one while the bodies stand still.
     ///
     /// Slopes beyond μ become μ; the displacement they no longer carry is taken up further inside,
-    /// as in a step, or by slip of the whole contact. No work is done from outside: what the traction
-    /// does on its slip, (q + q')/2 times it, is the energy that gets free.
-    #[cold]
+    /// as in a step, or by slip of the whole contact. No work is done from outside, and the energy is
+    /// quadratic in the traction: the work of (q + q')/2 on the slip is what the energy falls by.
     pub(super) fn weaken<const M: usize>(&self, memory: &mut Diagram<M>) -> Slip {
-        let (before, now) = (self.energy(memory), memory.top());
+        let (before, old) = (self.energy(memory), *memory);
         memory.friction = self.friction;
-        if self.friction == 0.0 {
-            memory.forget();
-            return Slip {
-                gross: before,
-                ..Slip::default()
-            };
-        }
-        let old = *memory;
-        memory.forget();
+        memory.keep(0);
         let (mut from, mut to) = (ORIGIN, ORIGIN);
         for &node in old.nodes() {
             let most = self.friction * (node.overlap() - from.overlap());
@@ -41,17 +32,14 @@ impl Partial {
             memory.append(to);
             from = node;
         }
-        let slip = self.slip(now.root, now.shift, memory);
+        let now = old.top();
+        let sliding = !old.is_empty() && self.slip(now.root, now.shift, memory).sliding;
         let lost = before - self.energy(memory);
-        let (gross, micro) = if slip.sliding {
-            (lost, 0.0)
-        } else {
-            (0.0, lost)
-        };
         Slip {
-            gross,
-            micro,
-            ..slip
+            force: memory.top().force,
+            gross: if sliding { lost } else { 0.0 },
+            micro: if sliding { 0.0 } else { lost },
+            sliding,
         }
     }
 }

@@ -36,12 +36,13 @@
 //! whole contact under μ N.
 //!
 //! Memory is bounded by dropping nodes: see [`Diagram`]. This folder knows no particles and no steps
-//! in time; everything is done with + - * / and √, so its bits are the same everywhere.
+//! in time; a step is done with + - * / and √, so its bits are the same everywhere.
 
 mod energy;
 mod friction;
 mod partial;
 mod polyline;
+mod slip;
 mod storage;
 mod sweep;
 mod view;

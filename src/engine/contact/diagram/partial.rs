@@ -1,10 +1,6 @@
 //! One contact with partial slip and its step.
 
 use super::polyline::{Diagram, Node, ORIGIN};
-use super::sweep::{mean_gap, mean_load};
-
-/// Share of a step's slip below which a swept segment is rounding: a zone that goes on slipping.
-const ROUNDING: f64 = 1e-12;
 
 /// Parameters of one contact, prepared once per pair and rebuild.
 #[derive(Debug, Clone, Copy)]
@@ -70,7 +66,7 @@ impl Partial {
     /// contact is lost as in [`Partial::part`].
     #[inline]
     pub fn advance<const M: usize>(&self, overlap: f64, d: f64, memory: &mut Diagram<M>) -> Slip {
-        if !(overlap > 0.0) {
+        if overlap.is_nan() || overlap <= 0.0 {
             let gross = self.part(d, memory);
             return Slip {
                 gross,
@@ -138,110 +134,14 @@ impl Partial {
         self.stop(node, 0.0, memory)
     }
 
-    /// A step with slip, or one back along the polyline: to √α and δ/k.
-    #[inline]
-    pub(super) fn slip<const M: usize>(
-        &self,
-        root: f64,
-        target: f64,
-        memory: &mut Diagram<M>,
-    ) -> Slip {
-        // Where the polyline is at the new overlap says which way the rest has to go.
-        let top = memory.top();
-        let (here, kept) = if root < top.root {
-            memory.shrunk(root)
-        } else {
-            (top, memory.len())
-        };
-        if here.shift == target {
-            memory.keep(kept);
-            return self.stop(Node { root, ..here }, 0.0, memory);
-        }
-        let sign = if target > here.shift { 1.0 } else { -1.0 };
-        // Height over a line of slope μ, seen in the direction of slip: it grows inwards. The line
-        // drawn from the new end has the height `end`.
-        let height = |node: &Node| sign * node.shift - self.friction * node.overlap();
-        let (from, to) = (top.overlap(), root * root);
-        let (start, end) = (height(&top), sign * target - self.friction * to);
-        let per_range = 1.0 / (end - start);
-        let scale = self.friction * self.compliance * self.hertz;
-
-        let (mut k, mut micro) = (memory.len(), 0.0);
-        let (mut outer, mut outer_height, mut outer_at) = (top, start, top.root);
-        while k > 0 {
-            let inner = memory.from_origin(k - 1);
-            let inner_height = height(&inner);
-            if inner_height >= end {
-                break;
-            }
-            // Overlap of the contact when the front is here.
-            let way = (inner_height - start) * per_range;
-            let at = (from + way * (to - from)).sqrt();
-            let share = (inner_height - outer_height) * per_range;
-            if share > ROUNDING {
-                micro += share * mean_gap([inner.root, at], [outer.root, outer_at]);
-            }
-            (outer, outer_height, outer_at) = (inner, inner_height, at);
-            k -= 1;
-        }
-        let work = scale * (end - start);
-        if k == 0 {
-            let force = sign * self.friction * self.load(root);
-            memory.restart(Node {
-                root,
-                shift: sign * self.friction * to,
-                force,
-                lost: 0.0,
-            });
-            return Slip {
-                force,
-                gross: scale * (end - outer_height) * mean_load(outer_at, root),
-                micro: work * micro,
-                sliding: true,
-            };
-        }
-        let inner = memory.from_origin(k - 1);
-        let inner_height = height(&inner);
-        let part = (inner_height - end) / (inner_height - outer_height);
-        let eta = inner.overlap() + part * (outer.overlap() - inner.overlap());
-        let front = eta.sqrt();
-        memory.keep(k - 1);
-        if front >= root {
-            // Rounding: the line meets the polyline at its end.
-            let here = inner.towards(&outer, root);
-            return self.stop(
-                Node {
-                    shift: target,
-                    ..here
-                },
-                work * micro,
-                memory,
-            );
-        }
-        let front = if front > inner.root {
-            let front = inner.towards(&outer, front);
-            memory.append(front);
-            front
-        } else {
-            inner
-        };
-        let share = (end - outer_height) * per_range;
-        if share > ROUNDING {
-            micro += share * mean_gap([front.root, root], [outer.root, outer_at]);
-        }
-        let force = front.force + sign * self.friction * (self.load(root) - self.load(front.root));
-        let end = Node {
-            root,
-            shift: target,
-            force,
-            lost: 0.0,
-        };
-        self.stop(end, work * micro, memory)
-    }
-
     /// The end of a step in which the inside stuck.
     #[inline]
-    fn stop<const M: usize>(&self, end: Node, micro: f64, memory: &mut Diagram<M>) -> Slip {
+    pub(super) fn stop<const M: usize>(
+        &self,
+        end: Node,
+        micro: f64,
+        memory: &mut Diagram<M>,
+    ) -> Slip {
         memory.finish(end, if self.nodes < M { self.nodes } else { M });
         Slip {
             force: end.force,

@@ -33,17 +33,17 @@ impl Node {
         self.root * self.root
     }
 
-    /// The point of the segment from `self` to `outer` at an overlap between theirs: linear in η for
-    /// the displacement, in N for the force.
+    /// The point with the root `root` of the segment from `self` to `outer`, a share `part` of its
+    /// overlaps from the inner end: displacement is linear in η, force in N.
     #[inline]
-    pub(super) fn towards(&self, outer: &Node, root: f64) -> Node {
-        let (a, b, c) = (self.root, outer.root, root);
-        let by_overlap = (c * c - a * a) / (b * b - a * a);
-        let by_load = (c * c * c - a * a * a) / (b * b * b - a * a * a);
+    pub(super) fn towards(&self, outer: &Node, root: f64, part: f64) -> Node {
+        let cube = |root: f64| root * root * root;
+        let inner = cube(self.root);
+        let slope = (outer.force - self.force) / (cube(outer.root) - inner);
         Node {
             root,
-            shift: self.shift + by_overlap * (outer.shift - self.shift),
-            force: self.force + by_load * (outer.force - self.force),
+            shift: self.shift + part * (outer.shift - self.shift),
+            force: self.force + slope * (cube(root) - inner),
             lost: outer.lost,
         }
     }
@@ -97,14 +97,14 @@ impl<const M: usize> Diagram<M> {
 
     /// Node `k` counted from the origin, which is 0.
     #[inline]
-    pub(super) fn from_origin(&self, k: usize) -> Node {
+    pub(super) fn node(&self, k: usize) -> Node {
         if k == 0 { ORIGIN } else { self.nodes[k - 1] }
     }
 
     /// The state of now; the origin if nothing is remembered.
     #[inline]
     pub(super) fn top(&self) -> Node {
-        self.from_origin(self.len)
+        self.node(self.len)
     }
 
     /// Number of nodes remembered, the origin not counted.
@@ -128,7 +128,7 @@ impl<const M: usize> Diagram<M> {
     /// Forgets everything.
     #[inline]
     pub fn forget(&mut self) {
-        self.len = 0;
+        (self.len, self.friction) = (0, 0.0);
     }
 
     /// The point that the contact comes to when it is shrunk to `root`, smaller than now and above
@@ -136,11 +136,12 @@ impl<const M: usize> Diagram<M> {
     #[inline]
     pub(super) fn shrunk(&self, root: f64) -> (Node, usize) {
         let mut k = self.len;
-        while self.from_origin(k - 1).root >= root {
+        while self.node(k - 1).root >= root {
             k -= 1;
         }
-        let (inner, outer) = (self.from_origin(k - 1), self.from_origin(k));
-        (inner.towards(&outer, root), k - 1)
+        let (inner, outer) = (self.node(k - 1), self.node(k));
+        let part = (root * root - inner.overlap()) / (outer.overlap() - inner.overlap());
+        (inner.towards(&outer, root, part), k - 1)
     }
 
     /// Forgets everything but the state of now.
@@ -170,7 +171,7 @@ impl<const M: usize> Diagram<M> {
         let negligible = NEGLIGIBLE * self.friction * eta * eta;
         while self.len > 0 {
             let last = self.nodes[self.len - 1];
-            let before = self.from_origin(self.len - 1);
+            let before = self.node(self.len - 1);
             let lost = triangle(&before, &last, &node) + last.lost + node.lost;
             if lost >= negligible {
                 break;
@@ -185,27 +186,27 @@ impl<const M: usize> Diagram<M> {
     }
 
     /// Drops the inner node with the least area; `node` is to follow the last.
-    #[cold]
+    #[inline(never)]
     fn drop_cheapest(&mut self, node: &mut Node) {
-        let (mut cheapest, mut least) = (0, f64::INFINITY);
-        for k in 0..self.len {
-            let here = self.nodes[k];
-            let outer = if k + 1 < self.len {
-                self.nodes[k + 1]
-            } else {
-                *node
-            };
-            let lost = triangle(&self.from_origin(k), &here, &outer) + here.lost + outer.lost;
-            if lost < least {
-                (cheapest, least) = (k, lost);
+        let nodes = &mut self.nodes[..self.len];
+        let mut areas = [0.0; M];
+        let (mut inner, mut here) = (ORIGIN, nodes[0]);
+        let outer = nodes[1..].iter().chain([&*node]);
+        for (area, outer) in areas.iter_mut().zip(outer) {
+            *area = triangle(&inner, &here, outer) + here.lost + outer.lost;
+            (inner, here) = (here, *outer);
+        }
+        let (mut cheapest, mut least) = (0, areas[0]);
+        for (k, &area) in areas[..nodes.len()].iter().enumerate() {
+            if area < least {
+                (cheapest, least) = (k, area);
             }
         }
-        if cheapest + 1 < self.len {
-            self.nodes[cheapest + 1].lost = least;
-        } else {
-            node.lost = least;
+        match nodes.get_mut(cheapest + 1) {
+            Some(outer) => outer.lost = least,
+            None => node.lost = least,
         }
-        self.nodes.copy_within(cheapest + 1..self.len, cheapest);
+        nodes.copy_within(cheapest + 1.., cheapest);
         self.len -= 1;
     }
 }

@@ -17,6 +17,9 @@ impl<const M: usize> Diagram<M> {
                 see(number);
             }
         }
+        if !self.is_empty() {
+            see(self.friction);
+        }
     }
 }
 
@@ -49,6 +52,7 @@ impl Partial {
         if overlap <= 0.0 {
             return memory;
         }
+        memory.friction = self.friction;
         let root = overlap.sqrt();
         let limit = self.friction * self.load(root);
         let share = if limit > 0.0 {

@@ -1,0 +1,178 @@
+//! A step with slip: a slip front that moves from the edge inwards.
+
+use super::partial::{Partial, Slip};
+use super::polyline::{Diagram, Node};
+use super::sweep::{mean_gap, mean_load};
+
+/// Share of a step's slip below which a swept segment is rounding: a zone that goes on slipping.
+const ROUNDING: f64 = 1e-12;
+
+/// The front on its way in.
+///
+/// Height is that over a line of slope ±μ, seen in the direction of slip, δ/k s - μ η. On the
+/// polyline it grows inwards; the line drawn from the new end has the height `end` all along, so the
+/// front passes the heights from `start` to `end` in proportion to the step done.
+struct Front {
+    sign: f64,
+    friction: f64,
+    start: f64,
+    end: f64,
+    per_range: f64,
+    /// Overlap at the start of the step, and by what it grows [m].
+    overlap: [f64; 2],
+    /// Where the front is, with its height and the root of the overlap the contact has by then.
+    outer: Node,
+    outer_height: f64,
+    outer_at: f64,
+    /// Sum of swept share times mean gap.
+    gaps: f64,
+}
+
+impl Front {
+    #[inline]
+    fn new(sign: f64, friction: f64, top: Node, root: f64, target: f64) -> Self {
+        let (from, to) = (top.overlap(), root * root);
+        let start = sign * top.shift - friction * from;
+        let end = sign * target - friction * to;
+        Self {
+            sign,
+            friction,
+            start,
+            end,
+            per_range: 1.0 / (end - start),
+            overlap: [from, to - from],
+            outer: top,
+            outer_height: start,
+            outer_at: top.root,
+            gaps: 0.0,
+        }
+    }
+
+    #[inline]
+    fn height(&self, node: &Node) -> f64 {
+        self.sign * node.shift - self.friction * node.overlap()
+    }
+
+    /// Sweeps on to a node inside.
+    #[inline]
+    fn sweep(&mut self, inner: Node, height: f64) {
+        let way = (height - self.start) * self.per_range;
+        let at = (self.overlap[0] + way * self.overlap[1]).sqrt();
+        self.lose(inner.root, height, at);
+        (self.outer, self.outer_height, self.outer_at) = (inner, height, at);
+    }
+
+    /// Adds what is lost from where the front is to a root with its height.
+    #[inline]
+    fn lose(&mut self, root: f64, height: f64, at: f64) {
+        let share = (height - self.outer_height) * self.per_range;
+        if share > ROUNDING {
+            let outer = [self.outer.root, self.outer_at];
+            self.gaps += share * mean_gap([root, at], outer);
+        }
+    }
+}
+
+impl Partial {
+    /// A step with slip, or one back along the polyline: to √α and δ/k.
+    #[inline]
+    pub(super) fn slip<const M: usize>(
+        &self,
+        root: f64,
+        target: f64,
+        memory: &mut Diagram<M>,
+    ) -> Slip {
+        // Where the polyline is at the new overlap says which way the rest has to go.
+        let top = memory.top();
+        let (here, kept) = if root < top.root {
+            memory.shrunk(root)
+        } else {
+            (top, memory.len())
+        };
+        if here.shift == target {
+            memory.keep(kept);
+            return self.stop(here, 0.0, memory);
+        }
+        let sign = if target > here.shift { 1.0 } else { -1.0 };
+        let mut front = Front::new(sign, self.friction, top, root, target);
+        let mut kept = memory.len();
+        while kept > 0 {
+            let inner = memory.node(kept - 1);
+            let height = front.height(&inner);
+            if height >= front.end {
+                memory.keep(kept - 1);
+                return self.meet(front, inner, root, target, memory);
+            }
+            front.sweep(inner, height);
+            kept -= 1;
+        }
+        self.slide(&front, root, memory)
+    }
+
+    /// The front stops between where it is and the node `inner`, the outermost that is kept.
+    #[inline]
+    fn meet<const M: usize>(
+        &self,
+        mut front: Front,
+        inner: Node,
+        root: f64,
+        target: f64,
+        memory: &mut Diagram<M>,
+    ) -> Slip {
+        let (outer, end) = (front.outer, front.end);
+        let height = front.height(&inner);
+        // Share of the segment, from its inner end, that is left of it.
+        let part = (height - end) / (height - front.outer_height);
+        let eta = inner.overlap() + part * (outer.overlap() - inner.overlap());
+        let met = inner.towards(&outer, eta.sqrt(), part);
+        if met.root >= root {
+            // Rounding: the line leaves the polyline at its very end.
+            let end = Node {
+                root,
+                shift: target,
+                ..met
+            };
+            return self.stop(end, self.slip_work(&front), memory);
+        }
+        front.lose(met.root, end, root);
+        if met.root > inner.root {
+            memory.append(met);
+        }
+        let rise = self.friction * (self.load(root) - self.load(met.root));
+        let end = Node {
+            root,
+            shift: target,
+            force: met.force + front.sign * rise,
+            lost: 0.0,
+        };
+        self.stop(end, self.slip_work(&front), memory)
+    }
+
+    /// The front met nothing: the whole contact slides the rest of the way.
+    #[inline]
+    fn slide<const M: usize>(&self, front: &Front, root: f64, memory: &mut Diagram<M>) -> Slip {
+        let limit = front.sign * self.friction;
+        let end = Node {
+            root,
+            shift: limit * (root * root),
+            force: limit * self.load(root),
+            lost: 0.0,
+        };
+        memory.restart(end);
+        let surplus = self.compliance * (front.end - front.outer_height);
+        let load = self.hertz * mean_load(front.outer_at, root);
+        Slip {
+            force: end.force,
+            gross: self.friction * load * surplus,
+            micro: self.slip_work(front),
+            sliding: true,
+        }
+    }
+
+    /// Work of the traction on the slip of the annuli that were swept [J].
+    #[inline]
+    fn slip_work(&self, front: &Front) -> f64 {
+        let range = self.compliance * (front.end - front.start);
+        self.friction * self.hertz * range * front.gaps
+    }
+}
