@@ -1,23 +1,39 @@
 //! The same theory in another form, for comparison: D(η) itself as a list of annuli, of any number.
 //!
-//! η and N in any units with N = η^1.5, k = 1. A step fills or cuts the outermost annulus and then
-//! overwrites D by ±μ from the outside inwards until ∫ D dη is the displacement.
+//! N = η^1.5 and k = μ = 1. A step fills or cuts the outermost annulus and then overwrites D by ±1
+//! from the outside inwards until ∫ D dη is the displacement.
 
 /// How a list of annuli is kept short.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Keep {
     /// Not at all.
     All,
-    /// At most so many: whichever corner of ∫ D dη spans the smallest triangle goes, and nothing is
+    /// At most so many: the corner of ∫ D dη that spans the smallest triangle goes, and nothing is
     /// remembered of what went before.
     SmallestTriangle(usize),
 }
 
-/// Annuli from the inside outwards: outer overlap, and D in (η, δ) and in (N, T).
+/// From `inner` to `outer`.
+#[derive(Clone, Copy)]
+struct Annulus {
+    inner: f64,
+    outer: f64,
+    /// D in (η, δ) and in (N, T): the same until annuli are joined.
+    slopes: [f64; 2],
+    /// T up to `inner`.
+    below: f64,
+}
+
+impl Annulus {
+    fn force(&self) -> f64 {
+        self.below + self.slopes[1] * (load(self.outer) - load(self.inner))
+    }
+}
+
+/// Annuli from the inside outwards.
 #[derive(Clone)]
 pub(crate) struct Annuli {
-    list: Vec<[f64; 3]>,
-    friction: f64,
+    list: Vec<Annulus>,
     keep: Keep,
 }
 
@@ -26,16 +42,11 @@ fn load(eta: f64) -> f64 {
 }
 
 impl Annuli {
-    pub(crate) fn new(friction: f64, keep: Keep) -> Self {
+    pub(crate) fn new(keep: Keep) -> Self {
         Self {
             list: Vec::new(),
-            friction,
             keep,
         }
-    }
-
-    fn inner(&self, k: usize) -> f64 {
-        if k == 0 { 0.0 } else { self.list[k - 1][0] }
     }
 
     pub(crate) fn len(&self) -> usize {
@@ -44,76 +55,86 @@ impl Annuli {
 
     /// Tangential force.
     pub(crate) fn force(&self) -> f64 {
-        let annuli = self.list.iter().enumerate();
-        annuli
-            .map(|(k, [eta, _, d])| d * (load(*eta) - load(self.inner(k))))
-            .sum()
+        self.list.last().map_or(0.0, Annulus::force)
     }
 
-    /// Steps to an overlap with a displacement.
-    pub(crate) fn step(&mut self, overlap: f64, d: f64) {
+    fn overlap(&self) -> f64 {
+        self.list.last().map_or(0.0, |annulus| annulus.outer)
+    }
+
+    fn push(&mut self, outer: f64, slope: f64) {
+        self.list.push(Annulus {
+            inner: self.overlap(),
+            outer,
+            slopes: [slope; 2],
+            below: self.force(),
+        });
+    }
+
+    /// Steps to an overlap with a displacement; answers the tangential force.
+    pub(crate) fn step(&mut self, overlap: f64, d: f64) -> f64 {
         let mut missing = d;
-        let old = self.inner(self.list.len());
-        if overlap > old {
-            let most = self.friction * (overlap - old);
-            let fill = d.clamp(-most, most);
-            let slope = fill / (overlap - old);
-            self.list.push([overlap, slope, slope]);
+        let growth = overlap - self.overlap();
+        if growth > 0.0 {
+            let fill = d.clamp(-growth, growth);
+            self.push(overlap, fill / growth);
             missing -= fill;
         }
-        while self.inner(self.list.len()) > overlap {
-            let [eta, slope, _] = self.list.pop().expect("not empty");
-            let inner = self.inner(self.list.len()).max(overlap);
-            missing += slope * (eta - inner);
-            if inner == overlap && self.inner(self.list.len()) < overlap {
-                let [.., force] = [0.0, 0.0, slope];
-                self.list.push([overlap, slope, force]);
+        while self.overlap() > overlap {
+            let last = self.list.last_mut().expect("not empty");
+            missing += last.slopes[0] * (last.outer - overlap.max(last.inner));
+            if last.inner < overlap {
+                last.outer = overlap;
+            } else {
+                self.list.pop();
             }
         }
-        let s = self.friction.copysign(missing);
-        let mut outer = overlap;
-        while missing != 0.0 && !self.list.is_empty() {
-            let [eta, slope, force] = self.list.pop().expect("not empty");
-            let inner = self.inner(self.list.len());
-            let most = (s - slope) * (eta - inner);
-            if most.abs() < missing.abs() {
-                missing -= most;
-                outer = inner;
-                continue;
+        let slope = 1.0_f64.copysign(missing);
+        while missing != 0.0 {
+            let Some(last) = self.list.last_mut() else {
+                break;
+            };
+            let rise = slope - last.slopes[0];
+            if (rise * (last.outer - last.inner)).abs() > missing.abs() {
+                last.outer -= missing / rise;
+                break;
             }
-            let front = eta - missing / (s - slope);
-            missing = 0.0;
-            outer = front;
-            if front > inner {
-                self.list.push([front, slope, force]);
-            }
+            missing -= rise * (last.outer - last.inner);
+            self.list.pop();
         }
-        if outer < overlap {
-            self.list.push([overlap, s, s]);
+        if self.overlap() < overlap {
+            self.push(overlap, slope);
         }
         if let Keep::SmallestTriangle(most) = self.keep {
             while self.list.len() > most {
                 self.drop_smallest();
             }
         }
+        self.force()
     }
 
     fn drop_smallest(&mut self) {
-        let area = |k: usize| {
-            let (a, b, c) = (self.inner(k), self.list[k][0], self.list[k + 1][0]);
-            ((self.list[k][1] - self.list[k + 1][1]) * (b - a) * (c - b)).abs()
+        let area = |k: &usize| {
+            let (near, far) = (self.list[*k], self.list[k + 1]);
+            let bend = near.slopes[0] - far.slopes[0];
+            (bend * (near.outer - near.inner) * (far.outer - far.inner)).abs()
         };
         let corners = 0..self.list.len() - 1;
         let k = corners
-            .min_by(|&i, &j| area(i).total_cmp(&area(j)))
+            .min_by(|i, j| area(i).total_cmp(&area(j)))
             .expect("at least two");
-        let (a, b) = (self.inner(k), self.list[k][0]);
-        let [_, slope, force] = self.list.remove(k);
-        let outer = &mut self.list[k];
-        let c = outer[0];
-        outer[1] = (slope * (b - a) + outer[1] * (c - b)) / (c - a);
-        let loads = [load(a), load(b), load(c)];
-        outer[2] = (force * (loads[1] - loads[0]) + outer[2] * (loads[2] - loads[1]))
-            / (loads[2] - loads[0]);
+        let (near, far) = (self.list.remove(k), self.list[k]);
+        let shift =
+            near.slopes[0] * (near.outer - near.inner) + far.slopes[0] * (far.outer - far.inner);
+        let force = far.force() - near.below;
+        self.list[k] = Annulus {
+            inner: near.inner,
+            outer: far.outer,
+            slopes: [
+                shift / (far.outer - near.inner),
+                force / (load(far.outer) - load(near.inner)),
+            ],
+            below: near.below,
+        };
     }
 }

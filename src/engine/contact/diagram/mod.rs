@@ -45,6 +45,8 @@ mod polyline;
 mod slip;
 mod storage;
 mod sweep;
+#[cfg(test)]
+mod tests;
 mod view;
 
 pub use partial::{Partial, Slip};

@@ -98,13 +98,18 @@ impl Partial {
                 root: overlap.sqrt(),
                 ..ORIGIN
             });
-            return before;
+            return Slip {
+                force: 0.0,
+                sliding: false,
+                ..before
+            };
         }
         let after = self.step(overlap.sqrt(), d * self.per_compliance, memory);
         Slip {
             gross: before.gross + after.gross,
             micro: before.micro + after.micro,
-            ..after
+            sliding: before.sliding || after.sliding,
+            force: after.force,
         }
     }
 

@@ -60,8 +60,13 @@ fn triangle(a: &Node, b: &Node, c: &Node) -> f64 {
 ///
 /// Each segment carries the area in (η, δ/k) that was lost when nodes were dropped into it. The node
 /// whose own triangle together with the areas of its two segments is smallest goes first; the areas
-/// add up, so no part of the history is worn away by many small steps. A dropped area A changes
-/// forces by about N'' A.
+/// add up, so no part of the history is worn away by many small steps.
+///
+/// What it costs, over 60 random smooth histories with nested loops in 1000 and 30 000 steps: the
+/// largest error of T over μN on the way is 1e-4 (median) and 4e-3 (worst) with 8 nodes, 7e-6 and
+/// 5e-5 with 16, 1.3e-6 and 1.3e-5 with 24, 7e-7 and 4e-6 with 32. A path run back over a segment that
+/// lost area does not give the energy that went in; losses do not hide that, so a ledger shows it:
+/// with 16 nodes some 1e-4 of the tangential energy in a hard history.
 #[derive(Debug, Clone, Copy)]
 pub struct Diagram<const M: usize> {
     /// Nodes in use.
@@ -155,6 +160,16 @@ impl<const M: usize> Diagram<M> {
     #[inline]
     pub(super) fn keep(&mut self, len: usize) {
         self.len = len;
+    }
+
+    /// Takes each node of another polyline from what it is, and what the node inside it became.
+    pub(super) fn redraw(&mut self, other: &Self, mut node: impl FnMut(Node, Node) -> Node) {
+        let mut inner = ORIGIN;
+        self.len = other.len;
+        for (here, &there) in self.nodes.iter_mut().zip(other.nodes()) {
+            inner = node(inner, there);
+            *here = inner;
+        }
     }
 
     /// Appends a node behind which one more will come: there must be room.
