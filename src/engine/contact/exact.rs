@@ -69,7 +69,7 @@ impl<const M: usize> Tangential for ExactShear<M> {
         };
         let friction = if pair.shear > 0.0 { pair.friction } else { 0.0 };
         Self {
-            partial: Partial::new(hertz, compliance, friction, basis.nodes),
+            partial: Partial::new(hertz, compliance, friction, basis.nodes).booked(basis.booked),
             friction,
         }
     }

@@ -342,7 +342,7 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
             self.spare_book.reserve(room);
         }
         for (k, &from) in old.iter().enumerate() {
-            self.laws.push(L::prepare(&basis(k).lend()));
+            self.laws.push(L::prepare(&basis(k).lend(BOOK)));
             self.spare_memory
                 .push(self.memory.get(from as usize).copied().unwrap_or_default());
             if BOOK {

@@ -94,6 +94,8 @@ pub struct Basis<'a> {
     pub critical_above: f64,
     /// Most nodes in the memory of a contact with exact partial slip.
     pub nodes: usize,
+    /// Whether energies are booked.
+    pub booked: bool,
 }
 
 /// A [`Basis`] that owns what it is made of.
@@ -111,13 +113,14 @@ pub struct BasisOwned {
 }
 
 impl BasisOwned {
-    pub(super) fn lend(&self) -> Basis<'_> {
+    pub(super) fn lend(&self, booked: bool) -> Basis<'_> {
         Basis {
             pair: &self.pair,
             m_eff: self.m_eff,
             r_eff: self.r_eff,
             critical_above: self.critical_above,
             nodes: self.nodes,
+            booked,
         }
     }
 }

@@ -1,18 +1,14 @@
 //! Energy stored in a memory diagram.
 
 use super::partial::Partial;
-use super::polyline::{Diagram, ORIGIN};
+use super::polyline::{Diagram, ORIGIN, stored};
 
 impl Partial {
     /// Elastic energy of the tangential displacement [J]: ∫ T dδ along the polyline.
     pub fn energy<const M: usize>(&self, memory: &Diagram<M>) -> f64 {
         let (mut inner, mut sum) = (ORIGIN, 0.0);
         for outer in memory.nodes() {
-            let (a, b) = (inner.root, outer.root);
-            // Mean over η of the way in N: 2/5 from the origin, 1/2 across a thin annulus.
-            let way = (2.0 * b * b * b + a * (4.0 * b * b + a * (6.0 * b + 3.0 * a)))
-                / (5.0 * (a * a + a * b + b * b) * (a + b));
-            sum += (outer.shift - inner.shift) * (inner.force + way * (outer.force - inner.force));
+            sum += stored(&inner, outer);
             inner = *outer;
         }
         self.compliance * sum

@@ -15,6 +15,8 @@ pub struct Partial {
     pub(super) friction: f64,
     /// Nodes a memory may have.
     nodes: usize,
+    /// Whether what dropped nodes take from the stored energy is worked out.
+    booked: bool,
 }
 
 /// What a step answers.
@@ -24,7 +26,7 @@ pub struct Slip {
     pub force: f64,
     /// Energy lost by slip of the whole contact [J].
     pub gross: f64,
-    /// Energy lost by slip of outer annuli while the inside sticks [J].
+    /// Energy lost by slip of outer annuli while the inside sticks, and by dropping nodes [J].
     pub micro: f64,
     /// Whether the whole contact slid.
     pub sliding: bool,
@@ -40,7 +42,14 @@ impl Partial {
             per_compliance: 1.0 / compliance,
             friction,
             nodes: nodes.max(1),
+            booked: true,
         }
+    }
+
+    /// Whether losses are asked for. Forces are the same either way.
+    #[must_use]
+    pub fn booked(self, booked: bool) -> Self {
+        Self { booked, ..self }
     }
 
     /// The force a memory holds [N].
@@ -147,10 +156,15 @@ impl Partial {
         micro: f64,
         memory: &mut Diagram<M>,
     ) -> Slip {
-        memory.finish(end, if self.nodes < M { self.nodes } else { M });
+        let most = if self.nodes < M { self.nodes } else { M };
+        let forgotten = if self.booked {
+            memory.finish::<true>(end, most)
+        } else {
+            memory.finish::<false>(end, most)
+        };
         Slip {
             force: end.force,
-            micro,
+            micro: micro + self.compliance * forgotten,
             ..Slip::default()
         }
     }
