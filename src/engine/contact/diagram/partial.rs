@@ -16,7 +16,7 @@ pub struct Partial {
     /// Nodes a memory may have.
     nodes: usize,
     /// Whether what dropped nodes take from the stored energy is worked out.
-    booked: bool,
+    pub(super) booked: bool,
 }
 
 /// What a step answers.

@@ -2,7 +2,7 @@
 
 use super::partial::{Partial, Slip};
 use super::polyline::{Diagram, Node};
-use super::sweep::{mean_gap, mean_load};
+use super::sweep::{mean_depth, mean_gap, mean_load};
 
 /// Share of a step's slip below which a swept segment is rounding: a zone that goes on slipping.
 const ROUNDING: f64 = 1e-12;
@@ -15,6 +15,7 @@ const ROUNDING: f64 = 1e-12;
 struct Front {
     sign: f64,
     friction: f64,
+    hertz: f64,
     start: f64,
     end: f64,
     per_range: f64,
@@ -26,17 +27,24 @@ struct Front {
     outer_at: f64,
     /// Sum of swept share times mean gap.
     gaps: f64,
+    /// Whether losses are asked for.
+    booked: bool,
+    /// Sum of what the forces of swept segments have over those of their displacements, times the
+    /// depth of the front [N m].
+    bends: f64,
 }
 
 impl Front {
     #[inline]
-    fn new(sign: f64, friction: f64, top: Node, root: f64, target: f64) -> Self {
+    fn new(law: &Partial, sign: f64, top: Node, root: f64, target: f64) -> Self {
+        let friction = law.friction;
         let (from, to) = (top.overlap(), root * root);
         let start = sign * top.shift - friction * from;
         let end = sign * target - friction * to;
         Self {
             sign,
             friction,
+            hertz: law.hertz,
             start,
             end,
             per_range: 1.0 / (end - start),
@@ -45,6 +53,8 @@ impl Front {
             outer_height: start,
             outer_at: top.root,
             gaps: 0.0,
+            booked: law.booked,
+            bends: 0.0,
         }
     }
 
@@ -58,18 +68,31 @@ impl Front {
     fn sweep(&mut self, inner: Node, height: f64) {
         let way = (height - self.start) * self.per_range;
         let at = (self.overlap[0] + way * self.overlap[1]).sqrt();
-        self.lose(inner.root, height, at);
+        self.lose(&inner, height, at);
         (self.outer, self.outer_height, self.outer_at) = (inner, height, at);
     }
 
-    /// Adds what is lost from where the front is to a root with its height.
+    /// Adds what is lost from where the front is to a node inside with its height.
     #[inline]
-    fn lose(&mut self, root: f64, height: f64, at: f64) {
+    fn lose(&mut self, inner: &Node, height: f64, at: f64) {
         let share = (height - self.outer_height) * self.per_range;
-        if share > ROUNDING {
+        if self.booked && share > ROUNDING {
             let outer = [self.outer.root, self.outer_at];
-            self.gaps += share * mean_gap([root, at], outer);
+            let inside = [inner.root, at];
+            self.gaps += share * mean_gap(inside, outer);
+            self.bends += self.bend(inner) * mean_depth(inside, outer);
         }
+    }
+
+    /// What the force of the segment from a node inside to the front has over that of its
+    /// displacement, [N]. Nothing but in segments that nodes were dropped into: their
+    /// displacement is linear in η and their force in N, each with a mean slope of its own.
+    #[inline]
+    fn bend(&self, inner: &Node) -> f64 {
+        let (a, b) = (inner.root, self.outer.root);
+        // (N' - N)/(η' - η) without a difference of neighbours.
+        let slope = (a * a + a * b + b * b) / (a + b);
+        self.outer.force - inner.force - self.hertz * slope * (self.outer.shift - inner.shift)
     }
 }
 
@@ -94,7 +117,7 @@ impl Partial {
             return self.stop(here, 0.0, memory);
         }
         let sign = if target > here.shift { 1.0 } else { -1.0 };
-        let mut front = Front::new(sign, self.friction, top, root, target);
+        let mut front = Front::new(self, sign, top, root, target);
         let mut kept = memory.len();
         while kept > 0 {
             let inner = memory.node(kept - 1);
@@ -134,7 +157,7 @@ impl Partial {
             };
             return self.stop(end, self.slip_work(&front), memory);
         }
-        front.lose(met.root, end, root);
+        front.lose(&met, end, root);
         if met.root > inner.root {
             memory.append(met);
         }
@@ -169,10 +192,13 @@ impl Partial {
         }
     }
 
-    /// Work of the traction on the slip of the annuli that were swept [J].
+    /// Work of the traction on the slip of the annuli that were swept [J]: as derived for a traction
+    /// of one slope D, and s μ k (α - c) dB more where force and displacement of a segment differ by
+    /// B = dT - D dN.
     #[inline]
     fn slip_work(&self, front: &Front) -> f64 {
-        let range = self.compliance * (front.end - front.start);
-        self.friction * self.hertz * range * front.gaps
+        let range = front.end - front.start;
+        let gaps = self.hertz * range * front.gaps;
+        self.friction * self.compliance * (gaps + front.sign * front.bends)
     }
 }

@@ -15,6 +15,16 @@ fn quintic(p: f64, q: f64) -> f64 {
     0.4 * (p2 * p2 + q2 * q2 + pq * (p2 + pq + q2))
 }
 
+/// Mean over the forces of a segment of how deep inside the edge it lies, α - c [m], with the ends as
+/// in [`mean_gap`] and α at its mean.
+#[inline]
+pub(super) fn mean_depth([x, at_x]: [f64; 2], [y, at_y]: [f64; 2]) -> f64 {
+    let (x2, y2, xy) = (x * x, y * y, x * y);
+    // ∫ c dN/(N' - N) = (3/5) (y^5 - x^5)/(y^3 - x^3).
+    let mean = 0.6 * (x2 * x2 + y2 * y2 + xy * (x2 + xy + y2)) / (x2 + xy + y2);
+    0.5 * (at_x * at_x + at_y * at_y) - mean
+}
+
 /// Mean over a segment of g(c; α) = N(α) - N(c) - N'(c) (α - c) without its factor (4/3) E* √R*.
 ///
 /// The inner and the outer end of the segment are given by roots: x² is the overlap c of the end, and
