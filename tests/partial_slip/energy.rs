@@ -198,40 +198,34 @@ fn sticking_is_elastic() {
     assert!(rig.work.abs() < 1e-14 * scale);
 }
 
-/// What a memory of so many nodes gives up by dropping nodes along a smooth path with many small
-/// steps, and what the ledger leaves open, both over the largest stored energy.
-fn forgotten(nodes: usize, steps: usize) -> [f64; 2] {
+/// What the ledger leaves open with so many nodes along a smooth path with many small steps, over the
+/// largest stored energy.
+fn open(nodes: usize, steps: usize) -> f64 {
     let law = Partial::new(1.0, 1.0, 1.0, nodes);
     let blind = law.booked(false);
     let [mut memory, mut other] = [Diagram::<64>::default(); 2];
     let (mut open, mut most, mut held, mut at) = (0.0, 0.0_f64, 0.0, 0.0);
-    let mut forgotten = 0.0;
     for k in 1..steps {
         let s = k as f64 / steps as f64;
         let delta = 0.9 * s * (1.0 - s) + 0.1 * (9.0 * s).sin();
         let slip = law.advance((PI * s).sin(), delta - at, &mut memory);
-        let same = blind.advance((PI * s).sin(), delta - at, &mut other);
+        blind.advance((PI * s).sin(), delta - at, &mut other);
         assert_eq!(memory, other, "booking changes no bit of the memory");
         open += 0.5 * (held + slip.force) * (delta - at) - slip.gross - slip.micro;
-        forgotten += slip.micro - same.micro;
         (held, at) = (slip.force, delta);
         most = most.max(law.energy(&memory));
     }
-    [forgotten, open - law.energy(&memory)].map(|energy| energy.abs() / most)
+    (open - law.energy(&memory)).abs() / most
 }
 
-/// Dropped nodes bend the path in (δ, T) that is run back, and with it the energy: little, and booked.
+/// Dropped nodes bend the path in (δ, T) that is run back, and with it the energy: it is booked.
+/// Without that 2e-3, 2.5e-4 and 1.2e-5 of the energy were open.
 #[test]
-fn a_bounded_memory_costs_little_energy() {
-    // Measured: 2e-3, 2.5e-4 and 1.2e-5.
-    for (nodes, most) in [(8, 4e-3), (16, 5e-4), (64, 3e-5)] {
-        let [forgotten, open] = forgotten(nodes, 10_000);
-        assert!(
-            forgotten > 0.1 * most && forgotten < most,
-            "{nodes}: {forgotten}"
-        );
+fn a_bounded_memory_keeps_its_books() {
+    for nodes in [8, 16, 64] {
+        let open = open(nodes, 10_000);
         // The mean of the force over a step: second order.
-        assert!(open < 1e-7, "{nodes}: {open}");
+        assert!(open < 1e-6, "{nodes}: {open}");
     }
 }
 
