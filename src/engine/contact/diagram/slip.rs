@@ -85,8 +85,8 @@ impl Front {
     }
 
     /// What the force of the segment from a node inside to the front has over that of its
-    /// displacement, [N]. Nothing but in segments that nodes were dropped into: their
-    /// displacement is linear in η and their force in N, each with a mean slope of its own.
+    /// displacement [N]. Nothing but in segments that nodes were dropped into: their displacement is
+    /// linear in η and their force in N, each with a mean slope of its own.
     #[inline]
     fn bend(&self, inner: &Node) -> f64 {
         let (a, b) = (inner.root, self.outer.root);
@@ -107,13 +107,13 @@ impl Partial {
     ) -> Slip {
         // Where the polyline is at the new overlap says which way the rest has to go.
         let top = memory.top();
-        let (here, kept) = if root < top.root {
+        let (here, inside) = if root < top.root {
             memory.shrunk(root)
         } else {
             (top, memory.len())
         };
         if here.shift == target {
-            memory.keep(kept);
+            memory.keep(inside);
             return self.stop(here, 0.0, memory);
         }
         let sign = if target > here.shift { 1.0 } else { -1.0 };
@@ -122,9 +122,18 @@ impl Partial {
         while kept > 0 {
             let inner = memory.node(kept - 1);
             let height = front.height(&inner);
+            if height >= front.end && inner.root >= root {
+                // Rounding: the line runs along a slip annulus outside what is left of the contact.
+                memory.keep(inside);
+                let end = Node {
+                    shift: target,
+                    ..here
+                };
+                return self.stop(end, self.slip_work(&front), memory);
+            }
             if height >= front.end {
                 memory.keep(kept - 1);
-                return self.meet(front, inner, root, target, memory);
+                return self.meet(front, [inner, here], root, target, memory);
             }
             front.sweep(inner, height);
             kept -= 1;
@@ -132,12 +141,13 @@ impl Partial {
         self.slide(&front, root, memory)
     }
 
-    /// The front stops between where it is and the node `inner`, the outermost that is kept.
+    /// The front stops between where it is and the node `inner`, the outermost that is kept; `here` is
+    /// where the polyline is at the new overlap of a contact that shrinks.
     #[inline]
     fn meet<const M: usize>(
         &self,
         mut front: Front,
-        inner: Node,
+        [inner, here]: [Node; 2],
         root: f64,
         target: f64,
         memory: &mut Diagram<M>,
@@ -149,11 +159,10 @@ impl Partial {
         let eta = inner.overlap() + part * (outer.overlap() - inner.overlap());
         let met = inner.towards(&outer, eta.sqrt(), part);
         if met.root >= root {
-            // Rounding: the line leaves the polyline at its very end.
+            // Rounding, as above.
             let end = Node {
-                root,
                 shift: target,
-                ..met
+                ..here
             };
             return self.stop(end, self.slip_work(&front), memory);
         }
