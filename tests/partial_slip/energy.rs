@@ -19,8 +19,8 @@ fn hysteresis(turn: f64) -> f64 {
 fn loops_lose_what_the_closed_form_says() {
     let pair = Pair::reference();
     let scale = pair.limit() * pair.star();
-    for (turn, joule) in [(0.5, 1.09185e-6), (0.75, 5.16319e-6), (0.9, 12.4398e-6)] {
-        let top = pair.star() * (1.0 - (1.0 - turn as f64).powf(2.0 / 3.0));
+    for (turn, joule) in [(0.5_f64, 1.09185e-6), (0.75, 5.16319e-6), (0.9, 12.4398e-6)] {
+        let top = pair.star() * (1.0 - (1.0 - turn).powf(2.0 / 3.0));
         assert!((hysteresis(turn) * scale / joule - 1.0).abs() < 6e-6);
         let mut gaps = Vec::new();
         for steps in [1, 10, 100, 1000] {

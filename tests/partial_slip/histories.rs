@@ -149,8 +149,8 @@ fn the_example() {
         assert!((rig.force - force).abs() < 6e-5, "{}", rig.force);
     }
     for (turn, reached, left) in [
-        (0.5, 0.54321, 0.030832),
-        (0.75, 0.8854, 0.095651),
+        (0.5, 0.54321, 0.030_832),
+        (0.75, 0.8854, 0.095_651),
         (0.9, 1.1517, 0.18662),
     ] {
         let mut rig = Rig::loaded(&pair);
