@@ -62,7 +62,8 @@ proptest! {
             let slip = law.advance(overlap * OVERLAP, d * OVERLAP, &mut memory);
             let limit = 0.4 * law.load(memory.top().root);
             prop_assert!(slip.force.abs() <= limit * (1.0 + 1e-15));
-            prop_assert!(slip.gross >= 0.0 && slip.micro >= 0.0 && law.energy(&memory) >= 0.0);
+            // The books of dropped nodes, part of `micro`, have either sign.
+            prop_assert!(slip.gross >= 0.0 && law.energy(&memory) >= 0.0);
             prop_assert!(memory.len() <= 6);
             let nodes = memory.nodes();
             prop_assert!(nodes.windows(2).all(|pair| pair[0].root < pair[1].root));
