@@ -4,7 +4,7 @@ use super::card::{Card, FRICTION, POISSON, Slip, YOUNG};
 use super::memory::Memory;
 use super::parts::Tangential;
 use super::quantities::{Basis, Load, Shear, Touch};
-use super::two_reversals::{Reversals, TwoReversals};
+use super::two_reversals::{Reversals, TwoReversals, WORST_GAIN};
 
 /// Row in the list.
 pub const CARD: Card = Card {
@@ -13,7 +13,7 @@ pub const CARD: Card = Card {
     parameters: &[YOUNG, POISSON, FRICTION],
     slip: Slip::Partial,
     memory: [0, 48],
-    gain: Some(f64::NAN),
+    gain: Some(WORST_GAIN),
     source: "Mindlin & Deresiewicz 1953; Randall 1989, 4.3, corrected",
     pass: |plan| plan.hertzian::<ReversalShear>(),
 };

@@ -39,7 +39,6 @@ impl Reversals {
             Branch::Virgin => (cube(force, 1.0), 0.0, 1.0),
             Branch::Unloading => (cube(top - force, 2.0), cube(top, 1.0), 2.0),
             Branch::Reloading => (cube(force - bottom, 2.0), cube(top - bottom, 2.0), 2.0),
-            Branch::Reunloading => (cube(force - bottom, 2.0), 1.0, 2.0),
         };
         Curve { here, end, stretch }
     }
@@ -49,7 +48,7 @@ impl Reversals {
         let way = match self.branch {
             Branch::Virgin => force,
             Branch::Unloading => self.unloaded_from - force,
-            Branch::Reloading | Branch::Reunloading => force - self.reloaded_from,
+            Branch::Reloading => force - self.reloaded_from,
         };
         direction * way < 0.0
     }
@@ -66,36 +65,39 @@ impl Reversals {
         // At most three curves: the rest of a loop, the one it began on, virgin loading.
         for _ in 0..3 {
             let direction = self.direction(rest);
-            let curve = self.curve(size, direction);
-            let theta = libm::cbrt(curve.here);
-            // The displacement is linear in θ².
-            let span = curve.stretch * size.slide;
-            let backwards = self.branch == Branch::Reunloading;
-            let towards = if backwards { 1.0 } else { -1.0 };
-            let square = theta * theta + towards * rest.abs() / span;
+            let backwards = self.branch == Branch::Reloading && direction * rest < 0.0;
+            let Curve { here, end, stretch } = self.curve(size, direction);
+            let end = if backwards { 1.0 } else { end };
+            let theta = libm::cbrt(here);
+            // θ² is linear in the displacement.
+            let span = stretch * size.slide;
+            let change = rest.abs() / span;
+            let square = theta * theta + if backwards { change } else { -change };
             let reached = if backwards {
-                square >= curve.end
+                square >= end
             } else {
-                square <= 0.0 || square * square.sqrt() <= curve.end
+                square <= 0.0 || square * square.sqrt() <= end
             };
-            let new_theta = if reached {
-                libm::cbrt(curve.end)
-            } else {
-                square.sqrt()
-            };
-            run.losses += curve.stretch * (lost(new_theta) - lost(theta));
             if !reached {
-                let way = curve.stretch * size.limit * (curve.here - square * new_theta);
-                self.force += direction * self.sense() * way.abs();
+                let new = square.sqrt();
+                let way = (here - square * new).abs();
+                self.force += (stretch * size.limit * way).copysign(rest);
+                run.losses += stretch * (lost(new) - lost(theta));
                 break;
             }
-            let used = span * (theta * theta - new_theta * new_theta).abs();
+            let new = libm::cbrt(end);
+            run.losses += stretch * (lost(new) - lost(theta));
+            let used = span * (theta * theta - new * new).abs();
             rest -= used.min(rest.abs()).copysign(rest);
             match self.branch {
                 Branch::Virgin => {
                     self.force = direction * size.limit;
                     run.slid = rest.abs();
                     break;
+                }
+                Branch::Reloading if backwards => {
+                    self.force = self.reloaded_from;
+                    self.branch = Branch::Unloading;
                 }
                 Branch::Unloading => {
                     self.force = -self.unloaded_from;
@@ -104,10 +106,6 @@ impl Reversals {
                 Branch::Reloading => {
                     self.force = self.unloaded_from;
                     self.forget();
-                }
-                Branch::Reunloading => {
-                    self.force = self.reloaded_from;
-                    self.branch = Branch::Unloading;
                 }
             }
             if rest == 0.0 {
