@@ -7,7 +7,7 @@ use std::path::Path;
 
 use ballast::engine::contact::laws::LAWS;
 use ballast::language::COMMANDS;
-use ballast::measure::columns::{COLUMNS, CONTACT_COLUMNS, PARTICLE_COLUMNS, WALL_COLUMNS};
+use ballast::measure::columns::listing;
 use ballast::scene::catalogue::PRESETS;
 use program::{ballast, said};
 
@@ -129,19 +129,13 @@ fn laws_columns_and_keys_are_complete() {
         }
     }
     let columns = listed(&["columns"]);
-    for (prefix, list) in [
-        ("", COLUMNS),
-        ("wall:NAME:", WALL_COLUMNS),
-        ("contact:I-J:", CONTACT_COLUMNS),
-        ("particle:I:", PARTICLE_COLUMNS),
-    ] {
-        for card in list {
-            let name = format!("{prefix}{} ", card.name);
-            let line = columns.lines().find(|line| line.starts_with(&name));
-            let line = line.unwrap_or_else(|| panic!("no {name}"));
-            assert!(line.contains(&format!("[{}]", card.unit)), "{line}");
-            assert!(columns.contains(card.summary), "{name}");
-        }
+    for (prefix, card) in listing() {
+        let name = format!("{prefix}{} ", card.name);
+        let mut lines = columns.lines().filter(|line| line.starts_with(&name));
+        let line = lines.next().unwrap_or_else(|| panic!("no {name}"));
+        assert!(line.contains(&format!("[{}]", card.unit)), "{line}");
+        assert!(line.ends_with(card.summary), "{line}");
+        assert_eq!(lines.next(), None);
     }
     let keys = listed(&["keys"]);
     for key in [

@@ -8,7 +8,7 @@
 use std::fmt::Write;
 
 use ballast::engine::contact::laws::LAWS;
-use ballast::measure::columns::{COLUMNS, CONTACT_COLUMNS, Card, PARTICLE_COLUMNS, WALL_COLUMNS};
+use ballast::measure::columns::listing;
 use ballast::scene::Scene;
 use ballast::scene::catalogue::PRESETS;
 
@@ -49,21 +49,9 @@ fn presets() -> String {
 
 fn columns() -> String {
     let mut text = String::from("| column | unit | what it is |\n|---|---|---|\n");
-    for (prefix, list) in [
-        ("", COLUMNS),
-        ("wall:NAME:", WALL_COLUMNS),
-        ("contact:I-J:", CONTACT_COLUMNS),
-        ("particle:I:", PARTICLE_COLUMNS),
-    ] {
-        for Card {
-            name,
-            unit,
-            summary,
-            ..
-        } in list
-        {
-            let _ = writeln!(text, "| `{prefix}{name}` | {unit} | {summary} |");
-        }
+    for (prefix, card) in listing() {
+        let (name, unit, summary) = (card.name, card.unit, card.summary);
+        let _ = writeln!(text, "| `{prefix}{name}` | {unit} | {summary} |");
     }
     text
 }

@@ -5,9 +5,7 @@ use std::fmt::Write;
 use super::output::{complain, print};
 use crate::engine::contact::laws::LAWS;
 use crate::language::COMMANDS;
-use crate::measure::columns::{
-    COLUMNS, CONTACT_COLUMNS, Card, PARTICLE_COLUMNS, WALL_COLUMNS, nearest,
-};
+use crate::measure::columns::{assembly, listing, nearest};
 use crate::scene::catalogue::{self, PRESETS};
 use crate::scene::{Scene, reference_text};
 
@@ -63,24 +61,13 @@ pub(super) fn laws() -> u8 {
 /// History columns with their units.
 pub(super) fn columns() -> u8 {
     let mut text = String::new();
-    for (prefix, list) in [
-        ("", COLUMNS),
-        ("wall:NAME:", WALL_COLUMNS),
-        ("contact:I-J:", CONTACT_COLUMNS),
-        ("particle:I:", PARTICLE_COLUMNS),
-        ("region:NAME:", COLUMNS),
-    ] {
-        let of_region = prefix.starts_with("region");
-        for Card {
-            name,
-            unit,
-            summary,
-            ..
-        } in list.iter().filter(|card| card.regional || !of_region)
-        {
-            let name = format!("{prefix}{name}");
-            let _ = writeln!(text, "{name:26} {:8} {summary}", format!("[{unit}]"));
-        }
+    // Those that have no other name stand in the listing already.
+    let of_regions = assembly().filter(|row| row.is_regional() && row.is_global());
+    let of_regions = of_regions.map(|row| ("region:NAME:", &row.card));
+    for (prefix, card) in listing().into_iter().chain(of_regions) {
+        let name = format!("{prefix}{}", card.name);
+        let unit = format!("[{}]", card.unit);
+        let _ = writeln!(text, "{name:26} {unit:8} {}", card.summary);
     }
     print(&text)
 }

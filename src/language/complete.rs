@@ -6,7 +6,7 @@
 use super::known::Known;
 use super::list::COMMANDS;
 use super::words::{Wanted, Words, quoted};
-use crate::measure::columns::{COLUMNS, WALL_COLUMNS};
+use crate::measure::columns::{WALL, assembly};
 
 /// What could replace the end of a line.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -66,15 +66,15 @@ fn all(wanted: Wanted, known: &Known) -> Vec<String> {
             names.map(|name| quoted(name).into_owned()).collect()
         }
         Wanted::Column => {
-            let global = COLUMNS.iter().map(|card| card.name.to_owned());
+            let global = assembly().filter(|row| row.is_global());
+            let global = global.map(|row| row.card.name.to_owned());
             let walls = known.names.walls.iter().flat_map(|wall| {
-                WALL_COLUMNS
-                    .iter()
-                    .map(move |card| format!("wall:{wall}:{}", card.name))
+                WALL.iter()
+                    .map(move |row| format!("wall:{wall}:{}", row.card.name))
             });
             let regions = known.names.regions.iter().flat_map(|region| {
-                let regional = COLUMNS.iter().filter(|card| card.regional);
-                regional.map(move |card| format!("region:{region}:{}", card.name))
+                let regional = assembly().filter(|row| row.is_regional());
+                regional.map(move |row| format!("region:{region}:{}", row.card.name))
             });
             global.chain(walls).chain(regions).collect()
         }

@@ -2,7 +2,7 @@
 
 use super::command::{Command, Create, FrictionOf, Goal, HistoryChange, WallChange};
 use super::mistake::{Mistake, shown};
-use crate::measure::columns::{Column, Names, Partner, nearest};
+use crate::measure::columns::{Column, Names, Partner, UnknownColumn, nearest};
 use std::ops::Range;
 
 /// What exists. Commands are checked against it before anything runs, and completions come from it.
@@ -91,27 +91,23 @@ impl Known {
     }
 
     fn wall(&self, name: &str, line: &str) -> Result<(), Mistake> {
-        // The column decides, so that both say the same.
-        self.column(&Column::Wall(name.to_owned(), 0), line)
-            .map_err(|mistake| Mistake {
-                span: place(line, name),
-                ..mistake
-            })
+        let checked = self.names.wall(name);
+        checked.map_err(|unknown| refused(unknown, place(line, name)))
     }
 
     fn particle(&self, id: u32, line: &str) -> Result<(), Mistake> {
-        self.column(&Column::Particle(id, 0), line)
-            .map_err(|mistake| Mistake {
-                span: place(line, &id.to_string()),
-                ..mistake
-            })
+        let checked = self.names.particle(id);
+        checked.map_err(|unknown| refused(unknown, place(line, &id.to_string())))
     }
 
     fn column(&self, column: &Column, line: &str) -> Result<(), Mistake> {
-        column.check(&self.names).map_err(|unknown| {
-            Mistake::new(unknown.message, unknown.remedy, place(line, &column.name()))
-        })
+        let checked = column.check(&self.names);
+        checked.map_err(|unknown| refused(unknown, place(line, &column.name())))
     }
+}
+
+fn refused(unknown: UnknownColumn, place: Range<usize>) -> Mistake {
+    Mistake::new(unknown.message, unknown.remedy, place)
 }
 
 /// Where a line names something: the last place, since verbs come first; the whole line if it is

@@ -61,7 +61,7 @@ pub fn column(text: &str, span: Range<usize>) -> Result<Column, Mistake> {
 /// The same for a place where a number is needed.
 pub(crate) fn numeric_column(text: &str, span: Range<usize>) -> Result<Column, Mistake> {
     let column = column(text, span.clone())?;
-    if column.card().kind == Kind::Hash {
+    if column.kind() == Kind::Hash {
         let message = format!(
             "`{}` is a hash, which no number can be computed from",
             column.name()

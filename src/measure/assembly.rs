@@ -1,21 +1,27 @@
-//! Counts and forces of the whole assembly.
+//! Counts and forces of an assembly, or of the part of it in a region.
 //!
 //! Over touching contacts (normal force above zero). In the coordination number a contact between
-//! particles counts for both, one with a wall once.
+//! particles counts for both, one with a wall once; elsewhere a contact counts whole, and by half
+//! where it leads out of the region.
 
+use super::link::Link;
+use super::tensor::ratio;
 use crate::engine::World;
-use crate::engine::neighbours::Status;
 
 /// Contact statistics at a cycle boundary.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Assembly {
     /// Touching contacts, wall contacts included.
-    pub contacts: u64,
+    pub contacts: f64,
     /// Contacts per particle.
     pub coordination: f64,
     /// Contacts per particle without those that carry nothing: (Σz - N1)/(N - N0 - N1), N0 and N1
     /// the particles with no and with one contact.
     pub coordination_mechanical: f64,
+    /// Particles with no contact or with one, N0 + N1.
+    pub rattlers: f64,
+    /// Rattlers over particles.
+    pub rattler_fraction: f64,
     /// Sliding contacts over contacts with friction.
     pub sliding_fraction: f64,
     /// Mean contact force [N].
@@ -31,42 +37,41 @@ pub struct Assembly {
 impl Assembly {
     /// Measures a world whose forces are summed.
     pub fn of(world: &World) -> Self {
-        let particles = world.particles();
-        let mut degree = vec![0u32; particles.len()];
-        let (mut contacts, mut sliding, mut frictional) = (0u64, 0u64, 0u64);
+        Self::within(world, &vec![true; world.particles().len()])
+    }
+
+    /// The same for the particles marked as inside.
+    pub fn within(world: &World, inside: &[bool]) -> Self {
+        let (mut contacts, mut sliding, mut frictional) = (0.0, 0.0, 0.0);
         let (mut sum, mut max_force) = (0.0, 0f64);
-        let list = world.contacts();
-        for k in 0..list.len() {
-            if list.status[k] == Status::Apart {
+        for link in Link::all(world).filter(Link::is_touching) {
+            let weight = link.weight(inside);
+            if weight == 0.0 {
                 continue;
             }
-            let reaction = world.reaction(k);
-            if reaction.normal <= 0.0 {
-                continue;
+            contacts += weight;
+            if link.frictional {
+                frictional += weight;
+                sliding += if link.sliding { weight } else { 0.0 };
             }
-            contacts += 1;
-            match list.pairs.get(k) {
-                Some(pair) => pair.iter().for_each(|&p| degree[p as usize] += 1),
-                None => degree[list.walls[k - list.pairs.len()].particle as usize] += 1,
-            }
-            if world.pass().is_frictional(k) {
-                frictional += 1;
-                sliding += u64::from(reaction.sliding);
-            }
-            let force = length([reaction.normal, reaction.tangential]);
-            sum += force;
+            let force = length([link.normal, link.tangential]);
+            sum += weight * force;
             max_force = max_force.max(force);
         }
-        let mean_force = ratio(sum, contacts as f64);
-        let (mean_rest, max_rest) = out_of_balance(world);
-        let ends = f64::from(degree.iter().sum::<u32>());
-        let with = |n: u32| degree.iter().filter(|&&d| d == n).count() as f64;
-        let (n, n0, n1) = (degree.len() as f64, with(0), with(1));
+        let mean_force = ratio(sum, contacts);
+        let (mean_rest, max_rest) = out_of_balance(world, inside);
+        let degrees = degrees(world);
+        let own = || degrees.iter().zip(inside).filter(|(_, inside)| **inside);
+        let with = |n: u32| own().filter(|&(&d, _)| d == n).count() as f64;
+        let ends = own().map(|(&d, _)| f64::from(d)).sum::<f64>();
+        let (n, n0, n1) = (own().count() as f64, with(0), with(1));
         Self {
             contacts,
             coordination: ratio(ends, n),
             coordination_mechanical: ratio(ends - n1, n - n0 - n1),
-            sliding_fraction: ratio(sliding as f64, frictional as f64),
+            rattlers: n0 + n1,
+            rattler_fraction: ratio(n0 + n1, n),
+            sliding_fraction: ratio(sliding, frictional),
             mean_force,
             max_force,
             unbalanced: ratio(mean_rest, mean_force),
@@ -75,12 +80,24 @@ impl Assembly {
     }
 }
 
-/// Mean and largest out-of-balance force over the particles that can move, weight and applied
-/// force included, components that are prescribed left out [N].
-fn out_of_balance(world: &World) -> (f64, f64) {
+/// Number of touching contacts of each particle.
+pub fn degrees(world: &World) -> Vec<u32> {
+    let mut degrees = vec![0; world.particles().len()];
+    for link in Link::all(world).filter(Link::is_touching) {
+        degrees[link.first] += 1;
+        if let Some(second) = link.second {
+            degrees[second] += 1;
+        }
+    }
+    degrees
+}
+
+/// Mean and largest out-of-balance force over the particles inside that can move, weight and
+/// applied force included, components that are prescribed left out [N].
+fn out_of_balance(world: &World, inside: &[bool]) -> (f64, f64) {
     let particles = world.particles();
     let (mut free, mut sum, mut most) = (0.0, 0.0, 0f64);
-    for p in 0..particles.len() {
+    for p in (0..particles.len()).filter(|&p| inside[p]) {
         let fixed = particles.fixed[p];
         if fixed[0] && fixed[1] {
             continue;
@@ -102,9 +119,4 @@ fn out_of_balance(world: &World) -> (f64, f64) {
 
 fn length(v: [f64; 2]) -> f64 {
     (v[0] * v[0] + v[1] * v[1]).sqrt()
-}
-
-/// Undefined quotients are NaN, never infinite.
-fn ratio(a: f64, b: f64) -> f64 {
-    if b == 0.0 { f64::NAN } else { a / b }
 }

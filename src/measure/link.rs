@@ -29,6 +29,8 @@ pub struct Link {
     pub tangential: f64,
     /// Whether it slid in the last cycle.
     pub sliding: bool,
+    /// Whether it has a friction limit.
+    pub frictional: bool,
 }
 
 impl Link {
@@ -63,6 +65,7 @@ impl Link {
             normal: reaction.normal,
             tangential: reaction.tangential,
             sliding: reaction.sliding,
+            frictional: world.pass().is_frictional(k),
         }
     }
 

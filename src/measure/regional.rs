@@ -2,6 +2,7 @@
 
 use std::cell::OnceCell;
 
+use super::assembly::Assembly;
 use super::fabric::Fabric;
 use super::region::{Content, Shape};
 use super::rose::{PETALS, Rose};
@@ -12,7 +13,9 @@ use crate::engine::World;
 pub struct Regional<'a> {
     world: &'a World,
     shape: Shape,
+    members: OnceCell<Vec<bool>>,
     content: OnceCell<Content>,
+    assembly: OnceCell<Assembly>,
     stress: OnceCell<Stress>,
     fabric: OnceCell<Fabric>,
 }
@@ -23,16 +26,29 @@ impl<'a> Regional<'a> {
         Self {
             world,
             shape,
+            members: OnceCell::new(),
             content: OnceCell::new(),
+            assembly: OnceCell::new(),
             stress: OnceCell::new(),
             fabric: OnceCell::new(),
         }
+    }
+
+    /// For each particle, whether its centre is inside.
+    pub fn members(&self) -> &[bool] {
+        self.members.get_or_init(|| self.shape.members(self.world))
     }
 
     /// What is in it.
     pub fn content(&self) -> &Content {
         self.content
             .get_or_init(|| Content::of(self.world, self.shape))
+    }
+
+    /// Counts and forces.
+    pub fn assembly(&self) -> &Assembly {
+        self.assembly
+            .get_or_init(|| Assembly::within(self.world, self.members()))
     }
 
     /// Stress and its parts.
@@ -50,24 +66,5 @@ impl<'a> Regional<'a> {
     /// The rose, which no column shows: measured anew by each call.
     pub fn rose(&self) -> Rose {
         Rose::of(self.world, self.content(), PETALS)
-    }
-
-    /// Value of a regional column; NaN for a name that is none.
-    pub fn value(&self, name: &str) -> f64 {
-        match name {
-            "porosity" => self.content().porosity(),
-            "stress_11" => self.stress().total[(0, 0)],
-            "stress_12" => self.stress().total[(0, 1)],
-            "stress_21" => self.stress().total[(1, 0)],
-            "stress_22" => self.stress().total[(1, 1)],
-            "isotropic_stress" => self.stress().isotropic(),
-            "deviator_stress" => self.stress().deviator(),
-            "sin_phi" => self.stress().sin_phi(),
-            "sin_phi_shear" => self.stress().sin_phi_shear(),
-            "anisotropy" => self.fabric().anisotropy(),
-            "anisotropy_angle" => self.fabric().principal().angle,
-            "anisotropy_weighted" => self.fabric().anisotropy_weighted(),
-            _ => f64::NAN,
-        }
     }
 }

@@ -123,7 +123,7 @@ impl Session {
         let columns: Vec<Column> = self
             .recording()
             .shown()
-            .filter(|c| c.card().kind != Kind::Hash)
+            .filter(|c| c.kind() != Kind::Hash)
             .cloned()
             .collect();
         let rows = self.recording().rows().len();

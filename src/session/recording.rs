@@ -117,10 +117,7 @@ impl Recording {
         let bits = self
             .columns
             .iter()
-            .map(|column| match column.card().kind {
-                Kind::Hash => sample.hash(),
-                Kind::Real | Kind::Count => sample.value(column).to_bits(),
-            })
+            .map(|column| sample.value(column).to_bits())
             .collect();
         let world = sample.world();
         let (cycle, time) = (world.cycle_number(), world.time());
@@ -143,7 +140,7 @@ impl Recording {
                     return Cell::Real(f64::NAN);
                 };
                 let value = f64::from_bits(bits);
-                match self.columns[k].card().kind {
+                match self.columns[k].kind() {
                     Kind::Hash => Cell::Hash(bits),
                     Kind::Count if value >= 0.0 => Cell::Count(value as u64),
                     Kind::Count | Kind::Real => Cell::Real(value),

@@ -6,7 +6,7 @@ use ballast::language::command::{
     Property, Solve, WallChange,
 };
 use ballast::language::{COMMANDS, Command, Expression, Known};
-use ballast::measure::columns::{COLUMNS, Column, Partner};
+use ballast::measure::columns::{CONTACT, Column, PARTICLE, Partner, Read, Row, WALL, assembly};
 use proptest::prelude::*;
 
 fn finite() -> impl Strategy<Value = f64> {
@@ -44,26 +44,30 @@ fn range() -> impl Strategy<Value = ParticleRange> {
 fn column() -> impl Strategy<Value = Column> {
     prop_oneof![
         prop::sample::select(Column::usual()),
-        (wall(), 0..4_usize).prop_map(|(name, k)| Column::Wall(name, k)),
-        (1..9_u32, wall(), 0..4_usize).prop_map(|(i, w, k)| Column::Contact(
+        (wall(), one_of(WALL)).prop_map(|(name, row)| Column::Wall(name, row)),
+        (1..9_u32, wall(), one_of(CONTACT)).prop_map(|(i, w, row)| Column::Contact(
             i,
             Partner::Wall(w),
-            k
+            row
         )),
-        (1..9_u32, 9..99_u32, 0..4_usize).prop_map(|(i, j, k)| Column::Contact(
+        (1..9_u32, 9..99_u32, one_of(CONTACT)).prop_map(|(i, j, row)| Column::Contact(
             i,
             Partner::Particle(j),
-            k
+            row
         )),
-        (1..=u32::MAX, 0..6_usize).prop_map(|(i, k)| Column::Particle(i, k)),
-        (wall(), prop::sample::select(regional())).prop_map(|(name, k)| Column::Region(name, k)),
+        (1..=u32::MAX, one_of(PARTICLE)).prop_map(|(i, row)| Column::Particle(i, row)),
+        (wall(), prop::sample::select(regional()))
+            .prop_map(|(name, row)| Column::Region(name, row)),
     ]
 }
 
-/// Places of the columns that a region can have.
-fn regional() -> Vec<usize> {
-    let places = 0..COLUMNS.len();
-    places.filter(|&k| COLUMNS[k].regional).collect()
+fn one_of<R: std::fmt::Debug>(rows: &'static [Row<R>]) -> impl Strategy<Value = &'static Row<R>> {
+    prop::sample::select(rows.iter().collect::<Vec<_>>())
+}
+
+/// The columns that a region can have.
+fn regional() -> Vec<&'static Row<Read>> {
+    assembly().filter(|row| row.is_regional()).collect()
 }
 
 fn condition() -> impl Strategy<Value = Expression> {

@@ -127,7 +127,7 @@ fn regions_side_by_side_share_everything_and_count_nothing_twice() {
     // Wall contacts count whole, others half at each end: exact in binary.
     assert_eq!(contacts, all.fabric.contacts);
     let sample = Sample::of(&mut world);
-    assert_eq!(contacts, sample.assembly().contacts as f64);
+    assert_eq!(contacts, sample.assembly().contacts);
     // 36 discs, up to four cuts each; sums in another order.
     assert!(close(discs, all.content.disc_area, 1e-13, discs));
     let whole = all.stress.total / all.content.per_volume();
@@ -155,8 +155,8 @@ fn roses_count_wall_contacts_once_and_sliding_ones_apart() {
         let rose = sample.regional().rose();
         let assembly = *sample.assembly();
         let sum = |petals: &[f64]| petals.iter().sum::<f64>();
-        assert_eq!(sum(&rose.contacts), assembly.contacts as f64);
-        if assembly.contacts > 0 {
+        assert_eq!(sum(&rose.contacts), assembly.contacts);
+        if assembly.contacts > 0.0 {
             let share = sum(&rose.sliding) / sum(&rose.contacts);
             assert!(close(share, assembly.sliding_fraction, 1e-14, 1.0));
         }

@@ -113,9 +113,11 @@ pub(crate) fn frame() -> Frame {
         running: true,
         rate: 12_300.0,
         assembly: Assembly {
-            contacts: 13,
+            contacts: 13.0,
             coordination: 3.5,
             coordination_mechanical: 3.7,
+            rattlers: 1.0,
+            rattler_fraction: 1.0 / 7.0,
             sliding_fraction: 0.071,
             mean_force: 12.5,
             max_force: 48.0,

@@ -4,7 +4,7 @@ use super::meaning::{Leaf, arguments_expected};
 use super::syntax::{Form, Syntax};
 use crate::language::mistake::{Mistake, near, shown};
 use crate::language::name::numeric_column;
-use crate::measure::columns::{COLUMNS, Column};
+use crate::measure::columns::{Column, assembly};
 use std::fmt;
 use std::ops::Range;
 
@@ -85,7 +85,7 @@ fn named(name: &str, span: Range<usize>, places: &mut Places) -> Result<Term, Mi
     let column = numeric_column(name, span.clone()).map_err(|mistake| {
         // The list of columns does not know the variables.
         let variables = ["cycle", "time", "stage_cycle"];
-        let all = COLUMNS.iter().map(|card| card.name).chain(variables);
+        let all = assembly().map(|row| row.card.name).chain(variables);
         match near(name, all).filter(|best| variables.contains(best)) {
             Some(best) => Mistake::new(
                 format!("{} is no column", shown(name)),

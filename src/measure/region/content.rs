@@ -25,17 +25,14 @@ pub struct Content {
 impl Content {
     /// Looks at a region.
     pub fn of(world: &World, shape: Shape) -> Self {
+        let inside = shape.members(world);
         let shape = shape.inner(world);
-        let rows = &world.particles().row;
-        let mut inside = Vec::with_capacity(rows.len());
         let (mut disc_area, mut member_area) = (0.0, 0.0);
-        for row in rows {
-            let is_inside = shape.contains(row.x);
+        for (row, &is_inside) in world.particles().row.iter().zip(&inside) {
             disc_area += shape.part_of(row.x, row.radius);
             if is_inside {
                 member_area += PI * row.radius * row.radius;
             }
-            inside.push(is_inside);
         }
         Self {
             inside,

@@ -44,6 +44,13 @@ pub struct Region {
 }
 
 impl Shape {
+    /// For each particle, whether its centre is inside.
+    pub fn members(self, world: &World) -> Vec<bool> {
+        let inner = self.inner(world);
+        let rows = world.particles().row.iter();
+        rows.map(|row| inner.contains(row.x)).collect()
+    }
+
     /// The same place in the coordinates the world computes in.
     fn inner(self, world: &World) -> Self {
         let origin = world.origin();

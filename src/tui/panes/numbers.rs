@@ -83,7 +83,7 @@ fn draw(app: &App, _: PaneId, area: Rect, buffer: &mut Buffer) {
 fn write_column(app: &App, k: usize, value: f64, width: u16, lines: &mut Lines<'_>) {
     let column = &app.series.columns[k];
     let card = column.card();
-    let number = if card.kind == Kind::Count {
+    let number = if column.kind() == Kind::Count {
         count(value)
     } else {
         short(value)

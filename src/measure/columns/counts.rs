@@ -1,0 +1,33 @@
+//! How many contacts there are, and how they share out.
+
+use super::card::Row;
+use super::read::{Read, regional, whole};
+
+pub(super) const ROWS: &[Row<Read>] = &[
+    whole(
+        "contacts",
+        "-",
+        "touching contacts, wall contacts included",
+        |r| r.assembly().contacts,
+    )
+    .counted()
+    .usual(),
+    regional("coordination", "-", "coordination number 2C/N", |r| {
+        r.assembly().coordination
+    })
+    .usual(),
+    regional(
+        "coordination_mechanical",
+        "-",
+        "coordination number without rattlers",
+        |r| r.assembly().coordination_mechanical,
+    )
+    .usual(),
+    regional(
+        "sliding_fraction",
+        "-",
+        "sliding contacts / contacts with friction",
+        |r| r.assembly().sliding_fraction,
+    )
+    .usual(),
+];

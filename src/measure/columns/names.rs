@@ -1,0 +1,78 @@
+//! Names that columns refer to, and answers to wrong ones.
+
+/// What exists in a scene: columns name walls, particles, regions and materials.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Names {
+    /// Wall names in order.
+    pub walls: Vec<String>,
+    /// Numbers of the particles that exist, ascending.
+    pub particles: Vec<u32>,
+    /// Region names in order.
+    pub regions: Vec<String>,
+}
+
+/// A name that is no column, or that nothing has.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{message}; {remedy}")]
+pub struct UnknownColumn {
+    /// What is wrong with it.
+    pub message: String,
+    /// What would be right.
+    pub remedy: String,
+}
+
+impl Names {
+    /// Whether there is a wall of this name.
+    pub fn wall(&self, name: &str) -> Result<(), UnknownColumn> {
+        one_of("wall", &self.walls, name)
+    }
+
+    /// Whether there is a region of this name.
+    pub fn region(&self, name: &str) -> Result<(), UnknownColumn> {
+        one_of("region", &self.regions, name)
+    }
+
+    /// Whether there is a particle of this number.
+    pub fn particle(&self, id: u32) -> Result<(), UnknownColumn> {
+        if self.particles.binary_search(&id).is_ok() {
+            return Ok(());
+        }
+        Err(UnknownColumn {
+            message: format!("there is no particle {id}"),
+            remedy: match (self.particles.first(), self.particles.last()) {
+                (Some(first), Some(last)) => format!("they are numbered {first} to {last}"),
+                _ => "the scene has none".into(),
+            },
+        })
+    }
+}
+
+fn one_of(kind: &str, known: &[String], name: &str) -> Result<(), UnknownColumn> {
+    if known.iter().any(|one| one == name) {
+        return Ok(());
+    }
+    Err(UnknownColumn {
+        message: format!("there is no {kind} `{name}`"),
+        remedy: nearest(name, known.iter().map(String::as_str)),
+    })
+}
+
+/// "did you mean ...?" when something is near, else the list of what there is.
+pub fn nearest<'a>(wrong: &str, known: impl Iterator<Item = &'a str>) -> String {
+    let known: Vec<&str> = known.collect();
+    let best = known
+        .iter()
+        .map(|name| {
+            (
+                strsim::jaro_winkler(&wrong.to_lowercase(), &name.to_lowercase()),
+                name,
+            )
+        })
+        .max_by(|a, b| a.0.total_cmp(&b.0));
+    match best {
+        Some((score, name)) if score > 0.8 => format!("did you mean `{name}`?"),
+        Some(_) if known.len() <= 12 => format!("there is {}", known.join(", ")),
+        Some((_, name)) => format!("the nearest name is `{name}`"),
+        None => "there is none".into(),
+    }
+}
