@@ -5,8 +5,9 @@
 
 use super::known::Known;
 use super::list::COMMANDS;
+use super::name::is_name;
 use super::words::{Wanted, Words, quoted};
-use crate::measure::columns::{WALL, assembly};
+use crate::measure::columns::{MATERIAL, WALL, assembly};
 
 /// What could replace the end of a line.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -62,7 +63,7 @@ fn all(wanted: Wanted, known: &Known) -> Vec<String> {
         Wanted::Keyword(word) => vec![word.to_owned()],
         Wanted::Wall => known.names.walls.clone(),
         Wanted::Material => {
-            let names = known.materials.iter();
+            let names = known.names.materials.iter();
             names.map(|name| quoted(name).into_owned()).collect()
         }
         Wanted::Column => {
@@ -76,7 +77,14 @@ fn all(wanted: Wanted, known: &Known) -> Vec<String> {
                 let regional = assembly().filter(|row| row.is_regional());
                 regional.map(move |row| format!("region:{region}:{}", row.card.name))
             });
-            global.chain(walls).chain(regions).collect()
+            let plain = |name: &&String| is_name(name);
+            let materials = known.names.materials.iter().filter(plain);
+            let materials = materials.flat_map(|material| {
+                let rows = MATERIAL.iter();
+                rows.map(move |row| format!("material:{material}:{}", row.card.name))
+            });
+            let bodies = walls.chain(regions).chain(materials);
+            global.chain(bodies).collect()
         }
         Wanted::Variable => ["cycle", "time", "stage_cycle"].map(String::from).into(),
     }
@@ -93,8 +101,8 @@ mod tests {
                 walls: vec!["left".into(), "floor".into()],
                 particles: vec![1],
                 regions: vec!["core".into()],
+                materials: vec!["glass".into(), "soft clay".into()],
             },
-            materials: vec!["glass".into(), "soft clay".into()],
         };
         complete(line, &known).candidates
     }

@@ -8,10 +8,8 @@ use std::ops::Range;
 /// What exists. Commands are checked against it before anything runs, and completions come from it.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Known {
-    /// Walls and particles.
+    /// Walls, particles, regions and materials.
     pub names: Names,
-    /// Material names in order.
-    pub materials: Vec<String>,
 }
 
 impl Known {
@@ -81,9 +79,9 @@ impl Known {
 
     fn material(&self, name: Option<&String>, line: &str) -> Result<(), Mistake> {
         match name {
-            Some(name) if !self.materials.contains(name) => Err(Mistake::new(
+            Some(name) if !self.names.materials.contains(name) => Err(Mistake::new(
                 format!("there is no material {}", shown(name)),
-                nearest(name, self.materials.iter().map(String::as_str)),
+                nearest(name, self.names.materials.iter().map(String::as_str)),
                 place(line, name),
             )),
             _ => Ok(()),
@@ -129,8 +127,8 @@ mod tests {
                 walls: vec!["left".into(), "floor".into()],
                 particles: vec![1, 2, 3],
                 regions: vec![],
+                materials: vec!["glass".into(), "steel".into()],
             },
-            materials: vec!["glass".into(), "steel".into()],
         }
     }
 

@@ -10,7 +10,7 @@ const ALWAYS_PRESENT: [&str; 3] = ["cycle", "time", "stage"];
 /// Longest name that is looked up.
 const LONGEST: usize = 200;
 
-/// Whether this can name a wall or a region: a letter, then letters, digits and underscores. Anything else
+/// Whether this can name a wall, a region or a material in a column: a letter, then letters, digits and underscores. Anything else
 /// would not survive in `wall:NAME:f1` inside an expression.
 pub fn is_name(text: &str) -> bool {
     let mut letters = text.chars();
@@ -50,10 +50,13 @@ pub fn column(text: &str, span: Range<usize>) -> Result<Column, Mistake> {
     {
         return Err(no_wall_name(wall, span));
     }
-    if let Column::Region(region, _) = &column
-        && !is_name(region)
-    {
-        return Err(no_name("region", region, span));
+    let named = match &column {
+        Column::Region(region, _) => Some(("region", region)),
+        Column::Material(material, _) => Some(("material in a column", material)),
+        _ => None,
+    };
+    if let Some((what, name)) = named.filter(|(_, name)| !is_name(name)) {
+        return Err(no_name(what, name, span));
     }
     Ok(column)
 }
@@ -78,6 +81,7 @@ fn form(family: &str) -> Option<&'static str> {
         "contact" => Some("contact:I-J:n or contact:I-WALL:n"),
         "particle" => Some("particle:I:x"),
         "region" => Some("region:NAME:porosity"),
+        "material" => Some("material:NAME:coordination"),
         _ => None,
     }
 }

@@ -85,7 +85,7 @@ pub fn degrees(world: &World) -> Vec<u32> {
     let mut degrees = vec![0; world.particles().len()];
     for link in Link::all(world).filter(Link::is_touching) {
         degrees[link.first] += 1;
-        if let Some(second) = link.second {
+        if let Some(second) = link.second() {
             degrees[second] += 1;
         }
     }

@@ -10,10 +10,12 @@ use crate::engine::neighbours::{Slot, Status};
 /// A contact that is not apart.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Link {
+    /// Its place in the list of contacts.
+    pub place: usize,
     /// Index of the first particle.
     pub first: usize,
-    /// Index of the second; `None` for a wall.
-    pub second: Option<usize>,
+    /// What it touches.
+    pub other: Other,
     /// Unit normal, from the first body to the second.
     pub e: Vector2<f64>,
     /// Unit tangent (e2, -e1).
@@ -47,17 +49,16 @@ impl Link {
         let (geometry, reaction) = (world.geometry(k), world.reaction(k));
         let Slot([fx, fy, ..]) = world.contacts().slots[k];
         let radius = |p: usize| world.particles().row[p].radius;
-        let (first, second, arms) = match world.bodies(k) {
-            (i, Other::Particle(j)) => {
-                let arms = [radius(i) * geometry.arm, radius(j) * geometry.arm];
-                (i, Some(j), arms)
-            }
-            (i, Other::Wall(_)) => (i, None, [geometry.distance, 0.0]),
+        let (first, other) = world.bodies(k);
+        let arms = match other {
+            Other::Particle(j) => [radius(first) * geometry.arm, radius(j) * geometry.arm],
+            Other::Wall(_) => [geometry.distance, 0.0],
         };
         let [e1, e2] = geometry.e;
         Self {
+            place: k,
             first,
-            second,
+            other,
             e: Vector2::new(e1, e2),
             t: Vector2::new(e2, -e1),
             arms,
@@ -66,6 +67,14 @@ impl Link {
             tangential: reaction.tangential,
             sliding: reaction.sliding,
             frictional: world.pass().is_frictional(k),
+        }
+    }
+
+    /// Index of the second particle; `None` for a wall.
+    pub fn second(&self) -> Option<usize> {
+        match self.other {
+            Other::Particle(second) => Some(second),
+            Other::Wall(_) => None,
         }
     }
 
@@ -78,7 +87,7 @@ impl Link {
     /// whole.
     pub fn weight(&self, inside: &[bool]) -> f64 {
         let end = |p: usize| f64::from(u8::from(inside[p]));
-        match self.second {
+        match self.second() {
             Some(second) => 0.5 * (end(self.first) + end(second)),
             None => end(self.first),
         }
@@ -87,6 +96,6 @@ impl Link {
     /// Length of its arms that belong to particles marked as inside [m].
     pub fn reach(&self, inside: &[bool]) -> f64 {
         let end = |p: usize, arm: f64| if inside[p] { arm } else { 0.0 };
-        end(self.first, self.arms[0]) + self.second.map_or(0.0, |p| end(p, self.arms[1]))
+        end(self.first, self.arms[0]) + self.second().map_or(0.0, |p| end(p, self.arms[1]))
     }
 }

@@ -4,7 +4,9 @@
 use std::cell::OnceCell;
 
 use super::assembly::Assembly;
+use super::class::{self, Class};
 use super::columns::{Column, Partner, Read, ReadContact};
+use super::reference::Reference;
 use super::region::{Region, Shape};
 use super::regional::Regional;
 use super::wall_force::WallForce;
@@ -17,6 +19,9 @@ pub struct Sample<'a> {
     world: &'a World,
     energies: OnceCell<Energies>,
     bookings: OnceCell<Bookings>,
+    /// By material, in the default region.
+    materials: OnceCell<Vec<Class>>,
+    reference: Option<&'a Reference>,
     /// Regions with a name; the first is what columns without a region are measured over.
     regions: &'a [Region],
     /// Measures of each.
@@ -29,29 +34,40 @@ impl<'a> Sample<'a> {
     /// Sums the forces of the boundary if that has not been done, and is ready to measure. The whole
     /// assembly is the only region.
     pub fn of(world: &'a mut World) -> Self {
-        Self::over(world, &[])
+        Self::over(world, &[], None)
     }
 
-    /// The same with regions, of which the first is the default.
-    pub fn over(world: &'a mut World, regions: &'a [Region]) -> Self {
+    /// The same with regions, of which the first is the default, and with a state that differences
+    /// are measured from.
+    pub fn over(
+        world: &'a mut World,
+        regions: &'a [Region],
+        reference: Option<&'a Reference>,
+    ) -> Self {
         world.settle();
         let world = &*world;
-        let named = regions.iter();
+        let regional = |shape| Regional::new(world, shape, reference);
+        let shapes = regions.iter().map(|region| region.shape);
         Self {
             world,
             energies: OnceCell::new(),
             bookings: OnceCell::new(),
+            materials: OnceCell::new(),
+            reference,
             regions,
-            regional: named
-                .map(|region| Regional::new(world, region.shape))
-                .collect(),
-            whole: Regional::new(world, Shape::All),
+            regional: shapes.map(regional).collect(),
+            whole: regional(Shape::All),
         }
     }
 
     /// The world behind it.
     pub fn world(&self) -> &World {
         self.world
+    }
+
+    /// The state that differences are measured from.
+    pub fn reference(&self) -> Option<&Reference> {
+        self.reference
     }
 
     /// Contact statistics of the whole assembly.
@@ -122,9 +138,20 @@ impl<'a> Sample<'a> {
             Column::Contact(i, partner, row) => self.contact(*i, partner, row.read),
             Column::Particle(id, row) => {
                 let found = self.world.particles().index(*id);
-                found.map_or(f64::NAN, |p| (row.read)(self.world, p))
+                found.map_or(f64::NAN, |p| (row.read)(self, p))
+            }
+            Column::Material(name, row) => {
+                let mut materials = self.world.model().materials.iter();
+                let found = materials.position(|material| material.name == *name);
+                found.map_or(f64::NAN, |m| (row.read)(&self.materials()[m]))
             }
         }
+    }
+
+    fn materials(&self) -> &[Class] {
+        let inside = || self.regional().members();
+        self.materials
+            .get_or_init(|| class::by_material(self.world, inside()))
     }
 
     /// An absent contact carries nothing: 0.

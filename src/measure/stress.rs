@@ -4,7 +4,8 @@
 //! positive (Christoffersen, Mehrabadi & Nemat-Nasser 1981 in the form of Randall 1989, 4.6). It is
 //! the sum of what the mean normal force does by the fabric alone, what normal forces add by
 //! differing from that mean, and what tangential forces add (Cundall & Strack 1983). Each part is
-//! summed from contacts by itself, none is a difference.
+//! summed from contacts by itself, none is a difference; so is the part of all normal forces, which
+//! the first two make up (Barnes 1985 in Randall 1989, 4.2).
 
 use nalgebra::Matrix2;
 
@@ -23,6 +24,8 @@ pub struct Stress {
     pub fabric: Matrix2<f64>,
     /// What differences of the normal forces from their mean cause.
     pub normal_variation: Matrix2<f64>,
+    /// What normal forces cause: fabric and variation together.
+    pub normal: Matrix2<f64>,
     /// What tangential forces cause.
     pub shear: Matrix2<f64>,
     /// Mean normal force of the region's contacts, those at its edge by half [N].
@@ -42,7 +45,8 @@ impl Stress {
         }
         let mean = ratio(sum, count);
         let zero = Matrix2::zeros;
-        let (mut total, mut fabric, mut variation, mut shear) = (zero(), zero(), zero(), zero());
+        let (mut total, mut fabric, mut variation) = (zero(), zero(), zero());
+        let (mut normal, mut shear) = (zero(), zero());
         for link in Link::all(world) {
             let reach = link.reach(inside);
             if reach == 0.0 {
@@ -53,6 +57,7 @@ impl Stress {
             total -= branch * link.force.transpose();
             fabric += mean * along;
             variation += (link.normal - mean) * along;
+            normal += link.normal * along;
             shear += link.tangential * (branch * link.t.transpose());
         }
         let per_volume = content.per_volume();
@@ -60,6 +65,7 @@ impl Stress {
             total: total * per_volume,
             fabric: fabric * per_volume,
             normal_variation: variation * per_volume,
+            normal: normal * per_volume,
             shear: shear * per_volume,
             mean_normal: mean,
         }
@@ -90,12 +96,9 @@ impl Stress {
         ratio(self.deviator(), self.total.trace())
     }
 
-    /// The part of `sin_phi` that tangential forces carry: their stress on the principal axes of the
-    /// whole, over s1 + s2. NaN where the whole has no axes.
-    pub fn sin_phi_shear(&self) -> f64 {
-        ratio(
-            tensor::projected(&self.shear, &self.total),
-            self.total.trace(),
-        )
+    /// What a part of the stress adds to `sin_phi`: its deviator on the principal axes of the whole,
+    /// over s1 + s2. NaN where the whole has no axes.
+    pub fn sin_phi_of(&self, part: &Matrix2<f64>) -> f64 {
+        ratio(tensor::projected(part, &self.total), self.total.trace())
     }
 }

@@ -24,11 +24,25 @@ impl Principal {
             major: middle + half,
             minor: middle - half,
             angle: if half > 0.0 {
-                half_turn(0.5 * libm::atan2(sum, difference).to_degrees())
+                crest(sum, difference, 2)
             } else {
                 f64::NAN
             },
         }
+    }
+}
+
+/// The circle of Mohr says the same: its centre is the mean of the principal values, its radius half
+/// their difference, and a plane turned by some angle lies twice as far round.
+impl Principal {
+    /// Centre of the circle of Mohr [unit of the tensor].
+    pub fn centre(&self) -> f64 {
+        0.5 * (self.major + self.minor)
+    }
+
+    /// Radius of the circle of Mohr [unit of the tensor].
+    pub fn radius(&self) -> f64 {
+        0.5 * (self.major - self.minor)
     }
 }
 
@@ -55,14 +69,29 @@ pub(super) fn projected(part: &Matrix2<f64>, whole: &Matrix2<f64>) -> f64 {
 
 /// The same line with an angle in [0, 180) [degrees].
 pub(super) fn half_turn(degrees: f64) -> f64 {
+    within(degrees, 180.0)
+}
+
+/// Direction in which a wave of so many periods in a turn, cosine C cos(nθ) + sine S sin(nθ), is
+/// highest: the first one, below a period [degrees].
+pub(super) fn crest(sine: f64, cosine: f64, periods: u32) -> f64 {
+    let periods = f64::from(periods);
+    within(
+        libm::atan2(sine, cosine).to_degrees() / periods,
+        360.0 / periods,
+    )
+}
+
+/// An angle between minus one period and one, moved into [0, period) [degrees].
+pub(super) fn within(degrees: f64, period: f64) -> f64 {
     let turned = if degrees < 0.0 {
-        degrees + 180.0
+        degrees + period
     } else {
         degrees
     };
-    // A tiny negative angle rounds up to 180 itself.
-    if turned >= 180.0 {
-        turned - 180.0
+    // A tiny negative angle rounds up to the period itself.
+    if turned >= period {
+        turned - period
     } else {
         turned
     }

@@ -128,7 +128,8 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
         rolling_friction: reader.number("rolling_friction").unwrap_or_default(),
         rigid: rigid.unwrap_or_default(),
     });
-    draft.known.materials.push(entry.key.clone());
+    draft.known.names.materials.push(entry.key.clone());
+    draft.ever.materials.push(entry.key.clone());
     draft.materials.push(Mark {
         place: entry.place,
         // A stiffness that could not be read is not missing.

@@ -243,7 +243,7 @@ impl Session {
         if !condition.needs_sample() || !due {
             return false;
         }
-        let sample = Sample::over(&mut self.world, &self.scene.regions);
+        let sample = Sample::over(&mut self.world, &self.scene.regions, Some(&self.reference));
         condition.holds(&mut |term| match term {
             Term::Column(column) => sample.value(column),
             other => clock(other),
@@ -286,7 +286,7 @@ impl Session {
             return Ok(());
         }
         let stage_cycle = self.stage_cycle();
-        let sample = Sample::over(&mut self.world, &self.scene.regions);
+        let sample = Sample::over(&mut self.world, &self.scene.regions, Some(&self.reference));
         self.recording
             .take(&sample, self.course.stage as u32, stage_cycle);
         self.world.take_fracc();

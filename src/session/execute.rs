@@ -1,9 +1,10 @@
 //! Carrying out a command: the only way anything changes a world.
 
 use super::course::Errand;
-use super::{Reference, Refusal, Session, change, inspect, print};
+use super::{Refusal, Session, change, inspect, print};
 use crate::language::command::{Goal, HistoryChange, Printout};
 use crate::language::{COMMANDS, Command, Known};
+use crate::measure::reference::Reference;
 use crate::record::journal::EventKind;
 
 /// Who asks.
@@ -69,13 +70,6 @@ impl Session {
     pub fn known(&self) -> Known {
         Known {
             names: self.names(),
-            materials: self
-                .world
-                .model()
-                .materials
-                .iter()
-                .map(|m| m.name.clone())
-                .collect(),
         }
     }
 

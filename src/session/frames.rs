@@ -154,7 +154,7 @@ impl Session {
         let (stage, stages) = self.stage_number();
         let stage_cycles = (self.stage_cycle(), self.stage_length());
         let known = Arc::new(self.known());
-        let sample = Sample::over(&mut self.world, &self.scene.regions);
+        let sample = Sample::over(&mut self.world, &self.scene.regions, Some(&self.reference));
         let assembly = *sample.assembly();
         let regional = sample.regional();
         let directions = wants.roses.then(|| (regional.rose(), *regional.fabric()));

@@ -16,7 +16,6 @@ mod inspect;
 mod opening;
 mod print;
 mod recording;
-mod reference;
 mod replay;
 mod save;
 pub mod worker;
@@ -31,11 +30,11 @@ pub use replay::Replay;
 
 use crate::engine::World;
 use crate::measure::columns::Names;
+use crate::measure::reference::Reference;
 use crate::record::history::History;
 use crate::record::journal::{Event, EventKind, Journal, JournalWriter};
 use crate::scene::Scene;
 use course::Course;
-use reference::Reference;
 
 /// A run.
 pub struct Session {
@@ -140,6 +139,13 @@ impl Session {
                 .collect(),
             particles: self.world.particles().id.clone(),
             regions: self.scene.region_names(),
+            materials: self
+                .world
+                .model()
+                .materials
+                .iter()
+                .map(|material| material.name.clone())
+                .collect(),
         }
     }
 

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use super::course::Course;
-use super::reference::Reference;
 use super::{Recording, RunError, Session};
 use crate::engine::World;
+use crate::measure::reference::Reference;
 use crate::record::history::History;
 use crate::record::journal::{Journal, JournalWriter};
 use crate::scene::Scene;

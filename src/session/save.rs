@@ -6,10 +6,10 @@ use std::time::{Duration, Instant};
 use serde::{Deserialize, Serialize};
 
 use super::course::Course;
-use super::reference::Reference;
 use super::{Recording, RunError, Session};
 use crate::engine::World;
 use crate::measure::columns::Column;
+use crate::measure::reference::Reference;
 use crate::record::checkpoint;
 use crate::record::journal::Journal;
 use crate::scene::Scene;

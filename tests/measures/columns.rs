@@ -1,6 +1,7 @@
 //! Columns: every one in the list has a value, under every name it goes by.
 
 use ballast::measure::columns::{Card, Column, Kind, assembly, listing};
+use ballast::measure::reference::Reference;
 use ballast::measure::region::{Region, Shape};
 use ballast::measure::sample::Sample;
 
@@ -12,6 +13,8 @@ fn every_listed_column_has_a_value() {
     setup.ledger = true;
     let mut world = built(setup);
     run(&mut world, 400);
+    let reference = Reference::of(&world);
+    run(&mut world, 20);
     let core = Region {
         name: "core".into(),
         shape: Shape::Circle {
@@ -26,7 +29,7 @@ fn every_listed_column_has_a_value() {
         world.particles().id[wall.particle as usize],
         world.walls()[wall.wall as usize].name.clone(),
     );
-    let sample = Sample::over(&mut world, &regions);
+    let sample = Sample::over(&mut world, &regions, Some(&reference));
     assert!(sample.assembly().contacts > 40.0);
     let has_value = |name: &str| {
         let column = Column::parse(name).expect("it is in the list");
@@ -47,6 +50,7 @@ fn every_listed_column_has_a_value() {
                 has_value(&format!("contact:{k}-{wall}:{name}"));
             }
             "particle:I:" => has_value(&format!("particle:2:{name}")),
+            "material:NAME:" => has_value(&format!("material:m:{name}")),
             other => panic!("no example of {other}"),
         }
     }

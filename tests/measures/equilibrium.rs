@@ -78,13 +78,17 @@ fn parts_sum_to_the_independent_whole() {
             let (s, total) = (m.stress, m.stress.total.norm());
             // Some hundred terms, each rounded a few times.
             assert!((s.parts() - s.total).norm() < 1e-12 * total);
+            assert!((s.fabric + s.normal_variation - s.normal).norm() < 1e-12 * total);
             // None of the parts could be missing.
             for part in [s.fabric, s.normal_variation, s.shear] {
                 assert!(part.norm() > 1e-3 * total, "{part} {total}");
             }
             // Shear does no more than the whole; it does something.
-            let share = s.sin_phi_shear();
+            let share = s.sin_phi_of(&s.shear);
             assert!(share.abs() > 1e-6 && share.abs() < 1.0, "{share}");
+            let parts = [s.fabric, s.normal_variation, s.shear];
+            let shares = parts.iter().map(|part| s.sin_phi_of(part));
+            assert!(close(shares.sum(), s.sin_phi(), 1e-12, 1.0));
         }
     }
 }

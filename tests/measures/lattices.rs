@@ -3,13 +3,18 @@
 //! wherever it begins, so its closed forms are exact but for rounding: an overlap of 0.02 R is the
 //! difference of lengths up to 40 R, known to some 1e-13 of itself.
 
+use ballast::engine::World;
 use ballast::engine::setup::Body;
+use ballast::measure::contact_area::{ContactArea, normal_stresses};
+use ballast::measure::fourier::Fourier;
+use ballast::measure::fourth::FourthFabric;
+use ballast::measure::redundancy::Redundancy;
 use ballast::measure::region::Shape;
 use ballast::measure::rose::{PETALS, Rose};
 use nalgebra::Matrix2;
 use std::f64::consts::PI;
 
-use crate::packing::{K, Measured, built, close, lattice, measured, setup};
+use crate::packing::{K, Measured, built, close, lattice, measured, setup, wall};
 
 const OVERLAP: f64 = 0.02;
 const D: f64 = 2.0 - OVERLAP;
@@ -35,11 +40,98 @@ fn is_isotropic(m: &Measured, stress: f64) {
     for fabric in [m.fabric.plain, m.fabric.weighted] {
         assert!((fabric - half).norm() < ROUNDING, "{fabric}");
     }
+    // Nothing shears, so there is nothing to weigh with.
+    assert!(m.fabric.by_tangential.iter().all(|x| x.is_nan()));
     // All normal forces are alike and nothing shears: fabric is the whole of it.
     assert!((m.stress.fabric - s).norm() < ROUNDING * stress);
     assert!(m.stress.normal_variation.norm() < ROUNDING * stress);
     assert!(m.stress.shear.norm() < ROUNDING * stress);
     assert!(m.stress.sin_phi() < ROUNDING);
+}
+
+fn fabric_to_fourth_order(world: &World, m: &Measured, exact: [f64; 5]) {
+    let fourth = FourthFabric::of(world, &m.content.inside);
+    for of in [fourth.plain, fourth.weighted] {
+        for (k, exact) in exact.into_iter().enumerate() {
+            assert!(close(of.component(k), exact, ROUNDING, 1.0), "{of:?}");
+        }
+        let [a, b, c] = of.contracted();
+        let second = Matrix2::new(a, b, b, c);
+        assert!((second - m.fabric.plain).norm() < ROUNDING);
+    }
+}
+
+fn fourier(world: &World, m: &Measured) -> Fourier {
+    let fourth = FourthFabric::of(world, &m.content.inside);
+    Fourier::of(world, &m.content.inside, &fourth.plain)
+}
+
+/// Unknown forces over equations, in a region of whole periods.
+#[test]
+fn redundancy_of_lattices() {
+    let row = D * 3f64.sqrt() / 2.0;
+    let hexagonal = (
+        lattice([D, 0.0], [0.5 * D, row], 20.0),
+        [5.0 * D, 6.0 * row],
+    );
+    let square = (lattice([D, 0.0], [0.0, D], 20.0), [5.0 * D, 6.0 * D]);
+    // Contacts per disc times forces over equations: two of each without friction.
+    for ((discs, size), friction, exact) in [
+        (&hexagonal, 0.0, 3.0 / 2.0),
+        (&hexagonal, 0.5, 3.0 * 2.0 / 3.0),
+        (&square, 0.0, 2.0 / 2.0),
+        (&square, 0.5, 2.0 * 2.0 / 3.0),
+    ] {
+        let mut setup = setup(discs);
+        setup.materials[0].friction = friction;
+        let world = built(setup);
+        let m = measured(&world, rectangle([-4.3, -5.7], *size));
+        let redundancy = Redundancy::of(&world, &m.content.inside);
+        assert_eq!(redundancy.ratio(), exact);
+        assert!(redundancy.equations >= 60.0);
+    }
+}
+
+#[test]
+fn contact_areas_are_those_of_the_geometry() {
+    let row = D * 3f64.sqrt() / 2.0;
+    let discs = lattice([D, 0.0], [0.5 * D, row], 20.0);
+    // R* = 1/2, so a = 0.1: a circle of spheres, a strip of discs.
+    let radius = (0.5 * OVERLAP).sqrt();
+    for (body, area) in [
+        (Body::Sphere, PI * 0.5 * OVERLAP),
+        (Body::Disc, 2.0 * radius),
+    ] {
+        let mut setup = setup(&discs);
+        setup.body = body;
+        let world = built(setup);
+        let m = measured(&world, rectangle([-4.3, -5.7], [5.0 * D, 6.0 * row]));
+        let stresses = normal_stresses(&world, &m.content.inside);
+        assert_eq!(stresses.iter().map(|(_, weight)| weight).sum::<f64>(), 90.0);
+        // Half the digits of the overlap go into a.
+        let exact = F / area;
+        assert!(
+            stresses
+                .iter()
+                .all(|(s, _)| close(*s, exact, ROUNDING, exact))
+        );
+        let of = ContactArea::of(&world, 0);
+        assert!(close(of.radius, 0.1, ROUNDING, 0.1));
+        assert!(close(of.relative(), 0.1, ROUNDING, 0.1));
+    }
+    // Unequal discs, and a wall: the curvatures add, the wall has none.
+    let mut unequal = setup(&[([0.0, 0.0], 1.0), ([3.9, 0.0], 3.0)]);
+    unequal.walls = vec![wall("floor", [-9.0, -0.9], [9.0, -0.9])];
+    let world = built(unequal);
+    let areas = [0, 1].map(|k| ContactArea::of(&world, k));
+    assert!(close(
+        areas[0].radius,
+        (0.75 * 0.1_f64).sqrt(),
+        ROUNDING,
+        1.0
+    ));
+    assert_eq!((areas[0].smaller, areas[1].smaller), (1.0, 1.0));
+    assert!(close(areas[1].radius, 0.1_f64.sqrt(), ROUNDING, 1.0));
 }
 
 fn spikes(rose: &Rose) -> Vec<usize> {
@@ -62,6 +154,27 @@ fn square_packing() {
     let rose = Rose::of(&world, &m.content, PETALS);
     assert_eq!(spikes(&rose), [0, 9]);
     assert_eq!([rose.contacts[0], rose.contacts[9]], [30.0, 30.0]);
+    fabric_to_fourth_order(&world, &m, [0.5, 0.0, 0.0, 0.0, 0.5]);
+    let fourier = fourier(&world, &m);
+    // Two directions at right angles: no second order, all there can be of the fourth, along them.
+    assert!(fourier.contacts.amplitude() < ROUNDING);
+    assert!(close(fourier.fourfold.amplitude(), 2.0, ROUNDING, 1.0));
+    assert!(
+        fourier
+            .fourfold
+            .angle()
+            .min(90.0 - fourier.fourfold.angle())
+            < 1e-9
+    );
+    // They leave the wave along the diagonals open.
+    assert!(fourier.normal.amplitude().is_nan() && fourier.mean_normal.is_nan());
+    let trace = 2.0 * 2.0 / (D * D);
+    assert!(close(
+        m.fabric.trace(&world, &m.content),
+        trace,
+        1e-12,
+        trace
+    ));
     // A region that is no period shows that the closed forms are not met by any region.
     let other = measured(&world, rectangle([-4.3, -5.7], [5.1 * D, 6.0 * D]));
     assert!((other.content.porosity() - porosity).abs() > 1e-3);
@@ -93,6 +206,24 @@ fn hexagonal_packing() {
         assert!(close(rose.force[6], force, ROUNDING, force));
         assert_eq!(rose.sliding, [0.0; PETALS]);
         assert_eq!(rose.direction(6), 60.0);
+        fabric_to_fourth_order(&world, &m, [0.375, 0.0, 0.125, 0.0, 0.375]);
+        let fourier = fourier(&world, &m);
+        for wave in [
+            fourier.contacts,
+            fourier.fourfold,
+            fourier.normal,
+            fourier.tangential,
+        ] {
+            assert!(wave.amplitude() < ROUNDING, "{wave:?}");
+        }
+        assert!(close(fourier.mean_normal, F, ROUNDING, F));
+        let trace = 2.0 * 3.0 / (D * row * thickness);
+        assert!(close(
+            m.fabric.trace(&world, &m.content),
+            trace,
+            1e-12,
+            trace
+        ));
         let full = Rose::mirrored(&rose.contacts);
         assert_eq!(full.len(), 36);
         assert_eq!(full[6], full[24]);

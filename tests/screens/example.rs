@@ -90,6 +90,7 @@ fn directions(picture: &Picture) -> (Rose, Fabric) {
     let fabric = Fabric {
         plain,
         weighted,
+        by_tangential: Matrix2::zeros(),
         contacts: count,
     };
     (rose, fabric)

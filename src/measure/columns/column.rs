@@ -4,6 +4,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::card::{Card, Kind, Row};
 use super::contact::{CONTACT, ReadContact};
+use super::material::{MATERIAL, ReadMaterial};
 use super::names::{Names, UnknownColumn, nearest};
 use super::particle::{PARTICLE, ReadParticle};
 use super::read::Read;
@@ -29,6 +30,8 @@ pub enum Column {
     Contact(u32, Partner, &'static Row<ReadContact>),
     /// Of the particle of this number.
     Particle(u32, &'static Row<ReadParticle>),
+    /// Of the particles of the material of this name.
+    Material(String, &'static Row<ReadMaterial>),
     /// Of the region of this name.
     Region(String, &'static Row<Read>),
 }
@@ -41,6 +44,10 @@ impl Column {
             [global] => find_global(global).map(Self::Global),
             ["wall", wall, what] => Ok(Self::Wall((*wall).to_owned(), find(WALL, what)?)),
             ["particle", id, what] => Ok(Self::Particle(number(id)?, find(PARTICLE, what)?)),
+            ["material", material, what] => Ok(Self::Material(
+                (*material).to_owned(),
+                find(MATERIAL, what)?,
+            )),
             ["region", region, what] => {
                 Ok(Self::Region((*region).to_owned(), find_regional(what)?))
             }
@@ -80,6 +87,7 @@ impl Column {
             Self::Wall(_, row) => &row.card,
             Self::Contact(_, _, row) => &row.card,
             Self::Particle(_, row) => &row.card,
+            Self::Material(_, row) => &row.card,
         }
     }
 
@@ -101,15 +109,17 @@ impl Column {
             Self::Contact(i, Partner::Particle(j), _) => format!("contact:{i}-{j}:{card}"),
             Self::Contact(i, Partner::Wall(w), _) => format!("contact:{i}-{w}:{card}"),
             Self::Particle(i, _) => format!("particle:{i}:{card}"),
+            Self::Material(material, _) => format!("material:{material}:{card}"),
             Self::Region(region, _) => format!("region:{region}:{card}"),
         }
     }
 
-    /// Whether the walls, regions and particles it names exist.
+    /// Whether the walls, regions, materials and particles it names exist.
     pub fn check(&self, names: &Names) -> Result<(), UnknownColumn> {
         match self {
             Self::Global(_) => Ok(()),
             Self::Wall(wall, _) => names.wall(wall),
+            Self::Material(material, _) => names.material(material),
             Self::Region(region, _) => names.region(region),
             Self::Particle(i, _) => names.particle(*i),
             Self::Contact(i, partner, _) => {
@@ -207,6 +217,8 @@ mod tests {
             "contact:12-floor:t",
             "particle:3:vx",
             "region:core:sin_phi",
+            "region:core:strain_12",
+            "material:glass:coordination",
         ] {
             assert_eq!(Column::parse(name).unwrap().name(), name);
         }
@@ -222,6 +234,8 @@ mod tests {
             ("particle:0:x", "from 1"),
             ("region:core:sin_phy", "`sin_phi`"),
             ("region:core:kinetic", "no column of a region"),
+            ("strain_11", "region:NAME:strain_11"),
+            ("material:glass:contact_shear", "`contact_share`"),
         ] {
             let error = Column::parse(wrong).unwrap_err();
             assert!(error.to_string().contains(hint), "{wrong}: {error}");

@@ -24,6 +24,22 @@ pub(super) const ROWS: &[Row<Read>] = &[
     )
     .usual(),
     regional(
+        "rattlers",
+        "-",
+        "particles with no contact or with one",
+        |r| r.assembly().rattlers,
+    )
+    .counted(),
+    regional("rattler_fraction", "-", "rattlers / particles", |r| {
+        r.assembly().rattler_fraction
+    }),
+    regional(
+        "redundancy",
+        "-",
+        "unknown contact forces / equations of equilibrium",
+        |r| r.redundancy().ratio(),
+    ),
+    regional(
         "sliding_fraction",
         "-",
         "sliding contacts / contacts with friction",

@@ -12,6 +12,24 @@ pub(super) const ROWS: &[Row<Read>] = &[
         r.assembly().max_force
     })
     .usual(),
+    regional(
+        "mean_obliquity",
+        "-",
+        "mean of |T|/(mu N): share of friction in use",
+        |r| r.obliquity().mean(),
+    ),
+    regional(
+        "mean_contact_stress",
+        "Pa",
+        "mean over contacts of the mean normal stress on each",
+        |r| r.contact_stress()[0],
+    ),
+    regional(
+        "max_contact_stress",
+        "Pa",
+        "largest mean normal stress on a contact",
+        |r| r.contact_stress()[1],
+    ),
     whole(
         "unbalanced",
         "-",

@@ -5,25 +5,32 @@
 //! family: a file, and a line in [`ASSEMBLY`].
 
 mod card;
+mod changes;
 mod column;
 mod contact;
 mod counts;
 mod energy;
 mod fabric;
+mod flow;
 mod forces;
+mod fourier;
+mod fourth;
 mod identity;
+mod material;
 mod names;
 mod particle;
 mod partition;
 mod read;
 mod space;
 mod step;
+mod strain;
 mod stress;
 mod wall;
 
 pub use card::{Card, Kind, Row};
 pub use column::{Column, Partner};
 pub use contact::{CONTACT, ReadContact};
+pub use material::{MATERIAL, ReadMaterial};
 pub use names::{Names, UnknownColumn, nearest};
 pub use particle::{PARTICLE, ReadParticle};
 pub use read::Read;
@@ -36,8 +43,13 @@ pub const ASSEMBLY: &[&[Row<Read>]] = &[
     space::ROWS,
     stress::ROWS,
     partition::ROWS,
+    strain::ROWS,
+    flow::ROWS,
     fabric::ROWS,
+    fourth::ROWS,
+    fourier::ROWS,
     forces::ROWS,
+    changes::ROWS,
     energy::ROWS,
     identity::ROWS,
 ];
@@ -63,5 +75,6 @@ pub fn listing() -> Vec<(&'static str, &'static Card)> {
         .chain(of("wall:NAME:", WALL.iter()))
         .chain(of("contact:I-J:", CONTACT.iter()))
         .chain(of("particle:I:", PARTICLE.iter()))
+        .chain(of("material:NAME:", MATERIAL.iter()))
         .collect()
 }

@@ -9,6 +9,8 @@ pub struct Names {
     pub particles: Vec<u32>,
     /// Region names in order.
     pub regions: Vec<String>,
+    /// Material names in order.
+    pub materials: Vec<String>,
 }
 
 /// A name that is no column, or that nothing has.
@@ -30,6 +32,11 @@ impl Names {
     /// Whether there is a region of this name.
     pub fn region(&self, name: &str) -> Result<(), UnknownColumn> {
         one_of("region", &self.regions, name)
+    }
+
+    /// Whether there is a material of this name.
+    pub fn material(&self, name: &str) -> Result<(), UnknownColumn> {
+        one_of("material", &self.materials, name)
     }
 
     /// Whether there is a particle of this number.

@@ -49,6 +49,16 @@ pub(super) const fn regional(
     Row::new(name, unit, summary, Read::Region(read))
 }
 
+/// A column of a named region alone.
+pub(super) const fn named(
+    name: &'static str,
+    unit: &'static str,
+    summary: &'static str,
+    read: fn(&Regional<'_>) -> f64,
+) -> Row<Read> {
+    Row::new(name, unit, summary, Read::Named(read))
+}
+
 /// A column of everything or of a named region.
 pub(super) const fn whole(
     name: &'static str,

@@ -26,6 +26,18 @@ pub(super) const ROWS: &[Row<Read>] = &[
         r.stress().total[(1, 1)]
     })
     .usual(),
+    regional("stress_1", "Pa", "major principal stress", |r| {
+        r.stress().principal().major
+    }),
+    regional("stress_2", "Pa", "minor principal stress", |r| {
+        r.stress().principal().minor
+    }),
+    regional(
+        "stress_angle",
+        "deg",
+        "direction of the major principal stress, 0 to 180",
+        |r| r.stress().principal().angle,
+    ),
     regional("isotropic_stress", "Pa", "mean principal stress", |r| {
         r.stress().isotropic()
     })

@@ -52,7 +52,7 @@ impl Shape {
     }
 
     /// The same place in the coordinates the world computes in.
-    fn inner(self, world: &World) -> Self {
+    pub(super) fn inner(self, world: &World) -> Self {
         let origin = world.origin();
         let shift = |x: [f64; 2]| [x[0] - origin[0], x[1] - origin[1]];
         match self {
@@ -70,7 +70,7 @@ impl Shape {
 
     /// Whether a point is inside; lower and left edges belong to it, upper and right ones do not, so
     /// that regions side by side share no particle.
-    fn contains(self, x: [f64; 2]) -> bool {
+    pub(super) fn contains(self, x: [f64; 2]) -> bool {
         match self {
             Self::Circle { centre, radius } => {
                 let d = [x[0] - centre[0], x[1] - centre[1]];
@@ -83,7 +83,7 @@ impl Shape {
 
     /// Area of the part of a disc inside [m²]. Everything holds discs whole: one that overlaps a
     /// wall counts as those that overlap each other do.
-    fn part_of(self, x: [f64; 2], radius: f64) -> f64 {
+    pub(super) fn part_of(self, x: [f64; 2], radius: f64) -> f64 {
         match self {
             Self::Circle { centre, radius: r } => {
                 cut::by_circle([x[0] - centre[0], x[1] - centre[1]], radius, r)

@@ -4,7 +4,7 @@ use super::super::figure::figure;
 use super::layout::{Table, number, words};
 use crate::engine::World;
 use crate::language::command::ParticleRange;
-use crate::session::reference::Reference;
+use crate::measure::reference::Reference;
 
 /// Indices of the particles in a range; all without one.
 pub(super) fn chosen(world: &World, range: Option<ParticleRange>) -> Vec<usize> {

@@ -16,9 +16,9 @@ pub(super) use contacts::{Carried, LARGE};
 pub(super) use layout::listed;
 pub(super) use materials::dashpots;
 
-use super::reference::Reference;
 use crate::engine::World;
 use crate::language::command::Printout;
+use crate::measure::reference::Reference;
 
 /// The lines of a table. `averages`: balls and contacts show largest, smallest and mean only.
 pub(super) fn table(

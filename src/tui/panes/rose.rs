@@ -211,6 +211,7 @@ mod tests {
             Fabric {
                 plain,
                 weighted,
+                by_tangential: Matrix2::zeros(),
                 contacts,
             },
         )

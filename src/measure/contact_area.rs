@@ -1,0 +1,75 @@
+//! The area that two bodies share, and the mean stress on it.
+//!
+//! Its size is that of the geometry: a = √(R* α), with R* = R1 R2/(R1 + R2), and R at a wall. For
+//! spheres of Hertz it is the radius of the contact circle, and the stresses are N/(π a²) and
+//! T/(π a²) (Randall 1989, (4.14) and 4.6). Between discs of unit length the same a is half the
+//! width of Hertz' strip, and the stresses are N/(2 a) and T/(2 a) per length. Springs have no area
+//! of their own: there it says how far bodies of such curvature would have to flatten.
+
+use std::f64::consts::PI;
+
+use super::link::Link;
+use crate::engine::World;
+use crate::engine::contact_report::Other;
+use crate::engine::setup::Body;
+
+/// Area of a contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactArea {
+    /// Radius of the circle, or half the width of the strip: a [m].
+    pub radius: f64,
+    /// Area [m²].
+    pub area: f64,
+    /// The smaller of the radii of the two bodies [m].
+    pub smaller: f64,
+}
+
+impl ContactArea {
+    /// Of listed contact k; without overlap it is a point.
+    pub fn of(world: &World, k: usize) -> Self {
+        let radius = |p: usize| world.particles().row[p].radius;
+        let (first, other) = world.bodies(k);
+        let (curvature, smaller) = match other {
+            Other::Particle(second) => {
+                let (a, b) = (radius(first), radius(second));
+                (a * b / (a + b), a.min(b))
+            }
+            Other::Wall(_) => (radius(first), radius(first)),
+        };
+        let square = (curvature * world.geometry(k).overlap).max(0.0);
+        let radius = square.sqrt();
+        Self {
+            radius,
+            area: match world.model().body {
+                Body::Sphere => PI * square,
+                Body::Disc => 2.0 * radius,
+            },
+            smaller,
+        }
+    }
+
+    /// Mean normal and tangential stress of a force [Pa]; 0 over a point that carries nothing.
+    pub fn stress(&self, normal: f64, tangential: f64) -> [f64; 2] {
+        [normal, tangential].map(|force| if force == 0.0 { 0.0 } else { force / self.area })
+    }
+
+    /// a/R of the smaller body: above 0.07 contact laws no longer hold strictly (Randall 1989, 4.6).
+    pub fn relative(&self) -> f64 {
+        self.radius / self.smaller
+    }
+}
+
+/// Mean normal stress on each touching contact of the particles marked as inside, and what the contact
+/// counts for.
+pub fn normal_stresses(world: &World, inside: &[bool]) -> Vec<(f64, f64)> {
+    let touching = Link::all(world).filter(Link::is_touching);
+    let weighed = touching.map(|link| (link.weight(inside), link));
+    weighed
+        .filter(|(weight, _)| *weight > 0.0)
+        .map(|(weight, link)| {
+            let area = ContactArea::of(world, link.place);
+            let [normal, _] = area.stress(link.normal, link.tangential);
+            (normal, weight)
+        })
+        .collect()
+}

@@ -1,0 +1,102 @@
+//! The state that differences are measured from: displacements, rotations, strain, contacts broken
+//! and made.
+
+use serde::{Deserialize, Serialize};
+
+use super::link::Link;
+use crate::engine::World;
+use crate::engine::contact_report::Other;
+
+/// Positions, angles and touching contacts at some cycle.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Reference {
+    /// Cycle at which it was taken.
+    pub cycle: u64,
+    /// Particle numbers, ascending.
+    ids: Vec<u32>,
+    /// Position [m] in the coordinates the world computes in, and angle [rad].
+    states: Vec<([f64; 2], f64)>,
+    /// Touching pairs of particles by their numbers, ascending.
+    pairs: Vec<[u32; 2]>,
+    /// Names of the walls.
+    walls: Vec<String>,
+    /// Touching pairs of a particle, by its number, and a wall, by its place above; ascending.
+    at_walls: Vec<(u32, u32)>,
+}
+
+/// What a particle touched at the reference.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Was<'a> {
+    /// The particle of this number.
+    Particle(u32),
+    /// The wall of this name.
+    Wall(&'a str),
+}
+
+impl Reference {
+    /// The present state.
+    pub fn of(world: &World) -> Self {
+        let particles = world.particles();
+        let id = |p: usize| particles.id[p];
+        let (mut pairs, mut at_walls) = (Vec::new(), Vec::new());
+        for link in Link::all(world).filter(Link::is_touching) {
+            match link.other {
+                Other::Particle(second) => pairs.push([id(link.first), id(second)]),
+                Other::Wall(wall) => at_walls.push((id(link.first), wall as u32)),
+            }
+        }
+        // The list of contacts has this order; searching relies on it.
+        pairs.sort_unstable();
+        at_walls.sort_unstable();
+        Self {
+            cycle: world.cycle_number(),
+            ids: particles.id.clone(),
+            states: particles.row.iter().map(|row| (row.x, row.angle)).collect(),
+            pairs,
+            walls: world.walls().iter().map(|wall| wall.name.clone()).collect(),
+            at_walls,
+        }
+    }
+
+    /// Position [m], in the coordinates the world computes in, and angle [rad] of a particle then;
+    /// `None` for one that is newer.
+    pub(super) fn state(&self, id: u32) -> Option<([f64; 2], f64)> {
+        Some(self.states[self.ids.binary_search(&id).ok()?])
+    }
+
+    /// Displacement [m] and rotation [rad] since then; `None` for a particle that is newer or gone.
+    pub fn change(&self, world: &World, id: u32) -> Option<([f64; 2], f64)> {
+        let then = self.state(id)?;
+        let now = &world.particles().row[world.particles().index(id)?];
+        Some((
+            [now.x[0] - then.0[0], now.x[1] - then.0[1]],
+            now.angle - then.1,
+        ))
+    }
+
+    /// Whether a contact of the world touched then.
+    pub(super) fn touched(&self, world: &World, link: &Link) -> bool {
+        let id = |p: usize| world.particles().id[p];
+        match link.other {
+            Other::Particle(second) => {
+                let pair = [id(link.first), id(second)];
+                self.pairs.binary_search(&pair).is_ok()
+            }
+            Other::Wall(wall) => {
+                let name = &world.walls()[wall].name;
+                let place = self.walls.iter().position(|known| known == name);
+                place.is_some_and(|place| {
+                    let pair = (id(link.first), place as u32);
+                    self.at_walls.binary_search(&pair).is_ok()
+                })
+            }
+        }
+    }
+
+    /// All contacts that touched then, by the number of the first particle.
+    pub(super) fn contacts(&self) -> impl Iterator<Item = (u32, Was<'_>)> {
+        let pairs = self.pairs.iter().map(|&[i, j]| (i, Was::Particle(j)));
+        let at_walls = self.at_walls.iter();
+        pairs.chain(at_walls.map(|&(i, wall)| (i, Was::Wall(&self.walls[wall as usize]))))
+    }
+}
