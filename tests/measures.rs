@@ -20,5 +20,7 @@ mod polygons;
 mod profiles;
 #[path = "measures/regions.rs"]
 mod regions;
+#[path = "measures/surveys.rs"]
+mod surveys;
 #[path = "measures/waves.rs"]
 mod waves;

@@ -15,7 +15,7 @@ pub use super::verbs::delete::ParticleRange;
 pub use super::verbs::friction::FrictionOf;
 pub use super::verbs::history::HistoryChange;
 pub use super::verbs::particle::ParticleChange;
-pub use super::verbs::print::Printout;
+pub use super::verbs::print::{Measure, Printout};
 pub use super::verbs::property::Property;
 pub use super::verbs::solve::{Goal, Solve};
 pub use super::verbs::wall::WallChange;

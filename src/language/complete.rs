@@ -62,6 +62,7 @@ fn all(wanted: Wanted, known: &Known) -> Vec<String> {
         Wanted::Verb => COMMANDS.iter().map(|card| card.name.to_owned()).collect(),
         Wanted::Keyword(word) => vec![word.to_owned()],
         Wanted::Wall => known.names.walls.clone(),
+        Wanted::Region => known.names.regions.clone(),
         Wanted::Material => {
             let names = known.names.materials.iter();
             names.map(|name| quoted(name).into_owned()).collect()
@@ -140,6 +141,10 @@ mod tests {
                 vec!["coordination_mechanical"],
             ),
             ("print contacts 1-9 ", vec![]),
+            ("print mohr ", vec!["core"]),
+            ("print histogram ", vec!["obliquity", "stress", "force"]),
+            ("print profile c", vec!["core"]),
+            ("print profile core ", vec![]),
             ("cycle 1000", vec![]),
             ("nonsense ", vec![]),
             ("wall left sideways ", vec![]),

@@ -1,6 +1,6 @@
-//! What a line can refer to: walls, particles and materials.
+//! What a line can refer to: walls, particles, regions and materials.
 
-use super::command::{Command, Create, FrictionOf, Goal, HistoryChange, WallChange};
+use super::command::{Command, Create, FrictionOf, Goal, HistoryChange, Printout, WallChange};
 use super::mistake::{Mistake, shown};
 use crate::measure::columns::{Column, Names, Partner, UnknownColumn, nearest};
 use std::ops::Range;
@@ -55,6 +55,10 @@ impl Known {
                 self.particle(*id, line)?;
                 self.wall(name, line)
             }
+            Command::Print(
+                Printout::Measure(_, Some(region)) | Printout::Profile(Some(region), _),
+            ) => self.region(region, line),
+            Command::Print(Printout::Polygon(id)) => self.particle(*id, line),
             Command::History(HistoryChange::Columns(columns)) => {
                 columns.iter().try_for_each(|c| self.column(c, line))
             }
@@ -90,6 +94,11 @@ impl Known {
 
     fn wall(&self, name: &str, line: &str) -> Result<(), Mistake> {
         let checked = self.names.wall(name);
+        checked.map_err(|unknown| refused(unknown, place(line, name)))
+    }
+
+    fn region(&self, name: &str, line: &str) -> Result<(), Mistake> {
+        let checked = self.names.region(name);
         checked.map_err(|unknown| refused(unknown, place(line, name)))
     }
 
@@ -169,6 +178,14 @@ mod tests {
             (
                 "friction 1 pair glass lead",
                 "there is no material `lead`; there is glass, steel @ lead",
+            ),
+            (
+                "print stress core",
+                "there is no region `core`; the preset has no [[measure]] @ core",
+            ),
+            (
+                "print polygon 7",
+                "there is no particle 7; they are numbered 1 to 3 @ 7",
             ),
             (
                 "inspect contact 1-roof",

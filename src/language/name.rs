@@ -91,7 +91,7 @@ pub(crate) fn no_wall_name(wall: &str, span: Range<usize>) -> Mistake {
     no_name("wall", wall, span)
 }
 
-fn no_name(what: &str, name: &str, span: Range<usize>) -> Mistake {
+pub(crate) fn no_name(what: &str, name: &str, span: Range<usize>) -> Mistake {
     Mistake::new(
         format!("{} cannot name a {what}", shown(name)),
         "a name is a letter followed by letters, digits and `_`",

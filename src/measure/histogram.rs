@@ -47,6 +47,14 @@ impl Histogram {
         }
     }
 
+    /// The same from zero to the largest value.
+    pub fn from_zero(values: &[(f64, f64)], bars: usize) -> Self {
+        let most = values
+            .iter()
+            .fold(0.0, |most: f64, (value, _)| most.max(*value));
+        Self::of(values, 0.0, most, bars)
+    }
+
     /// Lower and upper edge of a bar.
     pub fn edges(&self, bar: usize) -> [f64; 2] {
         let edge = |k: usize| {

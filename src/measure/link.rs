@@ -99,3 +99,13 @@ impl Link {
         end(self.first, self.arms[0]) + self.second().map_or(0.0, |p| end(p, self.arms[1]))
     }
 }
+
+/// Normal force [N] of each touching contact of the particles marked as inside, and what the contact
+/// counts for.
+pub fn normal_forces(world: &World, inside: &[bool]) -> Vec<(f64, f64)> {
+    let touching = Link::all(world).filter(Link::is_touching);
+    touching
+        .map(|link| (link.normal, link.weight(inside)))
+        .filter(|(_, weight)| *weight > 0.0)
+        .collect()
+}

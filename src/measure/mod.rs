@@ -24,5 +24,6 @@ pub mod rose;
 pub mod sample;
 pub mod strain;
 pub mod stress;
+pub mod survey;
 pub mod tensor;
 pub mod wall_force;

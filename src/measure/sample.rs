@@ -85,6 +85,11 @@ impl<'a> Sample<'a> {
         self.regional.first().unwrap_or(&self.whole)
     }
 
+    /// Names of the regions, the default one first.
+    pub fn region_names(&self) -> impl Iterator<Item = &'a str> {
+        self.regions.iter().map(|region| region.name.as_str())
+    }
+
     /// Measures of a region by name.
     pub fn region(&self, name: &str) -> Option<&Regional<'a>> {
         let found = self.regions.iter().position(|region| region.name == name)?;

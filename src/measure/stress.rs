@@ -28,17 +28,17 @@ pub struct Stress {
     pub normal: Matrix2<f64>,
     /// What tangential forces cause.
     pub shear: Matrix2<f64>,
-    /// Mean normal force of the region's contacts, those at its edge by half [N].
+    /// Mean normal force of the region's touching contacts, those at its edge by half [N].
     pub mean_normal: f64,
 }
 
 impl Stress {
     /// Sums over the contacts of a region. Contacts that a dashpot pulls at take part: they carry
-    /// force.
+    /// force, if not the mean one.
     pub fn of(world: &World, content: &Content) -> Self {
         let inside = &content.inside;
         let (mut sum, mut count) = (0.0, 0.0);
-        for link in Link::all(world) {
+        for link in Link::all(world).filter(Link::is_touching) {
             let weight = link.weight(inside);
             sum += weight * link.normal;
             count += weight;
@@ -55,8 +55,10 @@ impl Stress {
             let branch = reach * link.e;
             let along = branch * link.e.transpose();
             total -= branch * link.force.transpose();
-            fabric += mean * along;
-            variation += (link.normal - mean) * along;
+            // A contact that a dashpot pulls at has no part in the fabric.
+            let share = if link.is_touching() { mean } else { 0.0 };
+            fabric += share * along;
+            variation += (link.normal - share) * along;
             normal += link.normal * along;
             shear += link.tangential * (branch * link.t.transpose());
         }

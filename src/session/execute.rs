@@ -197,6 +197,7 @@ impl Session {
         let averages = self.averages_only;
         lines.extend(print::table(
             &mut self.world,
+            &self.scene.regions,
             &self.reference,
             what,
             averages,

@@ -10,8 +10,10 @@ use crate::measure::assembly::Assembly;
 use crate::measure::columns::{Column, Kind};
 use crate::measure::fabric::Fabric;
 use crate::measure::frame::Picture;
+use crate::measure::polygon::ForcePolygon;
 use crate::measure::rose::Rose;
 use crate::measure::sample::Sample;
+use crate::measure::survey::Survey;
 
 /// While cycles run the stability bound shown may be so old.
 const LIMIT_AGE: Duration = Duration::from_secs(1);
@@ -25,6 +27,10 @@ pub struct Wants {
     pub energies: bool,
     /// Rose diagrams.
     pub roses: bool,
+    /// All measures of the first region.
+    pub survey: bool,
+    /// The polygon of the forces on the particle of this number.
+    pub polygon: Option<u32>,
 }
 
 impl Default for Wants {
@@ -33,6 +39,8 @@ impl Default for Wants {
             picture: true,
             energies: true,
             roses: true,
+            survey: false,
+            polygon: None,
         }
     }
 }
@@ -93,6 +101,10 @@ pub struct Frame {
     pub bookings: Option<Bookings>,
     /// Directions of contact normals in the first region, if wanted.
     pub directions: Option<(Rose, Fabric)>,
+    /// All measures of the first region, if wanted.
+    pub survey: Option<Survey>,
+    /// Forces on a particle, if wanted and there.
+    pub polygon: Option<ForcePolygon>,
     /// Columns that are recorded and are numbers.
     pub columns: Arc<[Column]>,
     /// Rows recorded since the last frame.
@@ -158,6 +170,11 @@ impl Session {
         let assembly = *sample.assembly();
         let regional = sample.regional();
         let directions = wants.roses.then(|| (regional.rose(), *regional.fabric()));
+        let survey = wants.survey.then(|| Survey::of(&sample));
+        let drawn = wants
+            .polygon
+            .and_then(|id| sample.world().particles().index(id));
+        let polygon = drawn.map(|p| ForcePolygon::of(sample.world(), p));
         let energies = wants.energies.then(|| *sample.energies());
         let booked = wants.energies && sample.world().ledger().is_some();
         let bookings = booked.then(|| *sample.bookings());
@@ -195,6 +212,8 @@ impl Session {
             energies,
             bookings,
             directions,
+            survey,
+            polygon,
             columns: Arc::clone(&shown.columns),
             rows: new,
             restarted,

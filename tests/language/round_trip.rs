@@ -2,8 +2,8 @@
 
 use ballast::engine::setup::Gravity;
 use ballast::language::command::{
-    Create, Damper, FrictionOf, Goal, HistoryChange, ParticleChange, ParticleRange, Printout,
-    Property, Solve, WallChange,
+    Create, Damper, FrictionOf, Goal, HistoryChange, Measure, ParticleChange, ParticleRange,
+    Printout, Property, Solve, WallChange,
 };
 use ballast::language::{COMMANDS, Command, Expression, Known};
 use ballast::measure::columns::{CONTACT, Column, PARTICLE, Partner, Read, Row, WALL, assembly};
@@ -199,6 +199,14 @@ fn about_records() -> impl Strategy<Value = Command> {
             Printout::Averages,
             Printout::All,
         ]),
+        (
+            prop::sample::select(Measure::all().collect::<Vec<_>>()),
+            prop::option::of(wall())
+        )
+            .prop_map(|(measure, region)| Printout::Measure(measure, region)),
+        (prop::option::of(wall()), prop::option::of(1..10_000_u64))
+            .prop_map(|(region, rings)| Printout::Profile(region, rings)),
+        (1..=u32::MAX).prop_map(Printout::Polygon),
     ];
     let verbs: Vec<&'static str> = COMMANDS.iter().map(|card| card.name).collect();
     prop_oneof![

@@ -149,6 +149,8 @@ pub(crate) fn frame() -> Frame {
             boundary_work: -0.39,
             energy_error: 2.1e-13,
         }),
+        survey: None,
+        polygon: None,
         columns: columns.to_vec().into(),
         rows: (0..=148).map(row).collect(),
         restarted: true,

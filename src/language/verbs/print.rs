@@ -11,14 +11,24 @@ use std::fmt;
 pub const CARD: Card = Card {
     name: "print",
     aliases: &[],
-    usage: "print balls|contacts [I|I-J] | walls|types|boundary|energy|step | averages|all",
+    usage: "print balls|contacts [I|I-J] | walls|types|boundary|energy|step | \
+            stress|partition|mohr|strain|fabric|fourier|rose|coordination|redundancy|changes \
+            [REGION] | histogram obliquity|stress|force [REGION] | profile [REGION] [RINGS] | \
+            polygon I | averages|all",
     summary: "shows a table",
-    detail: "balls and contacts can be limited to particle numbers; types are the materials. \
-             `averages` makes later tables end with averages only, `all` shows every row again.",
+    detail: "balls and contacts can be limited to particle numbers; types are the materials. From \
+             stress to profile, measures are those of a region, the first one unless another is \
+             named. polygon sums the forces on a particle head to tail. `averages` makes later \
+             tables end with averages only, `all` shows every row again.",
     examples: &[
         "print balls",
         "print contacts 1-9",
         "print energy",
+        "print partition",
+        "print stress core",
+        "print histogram obliquity",
+        "print profile 20",
+        "print polygon 7",
         "print averages",
     ],
     parse,
@@ -26,7 +36,7 @@ pub const CARD: Card = Card {
 };
 
 /// What to show.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Printout {
     /// Particles, all or those in a range.
     Balls(Option<ParticleRange>),
@@ -42,26 +52,122 @@ pub enum Printout {
     Energy,
     /// Time step and its limits.
     Step,
+    /// A measure of the region of this name, or of the default one.
+    Measure(Measure, Option<String>),
+    /// Porosity by distance from the middle of a region, in so many rings.
+    Profile(Option<String>, Option<u64>),
+    /// Forces on the particle of this number.
+    Polygon(u32),
     /// From now on, tables hold averages only.
     Averages,
     /// From now on, tables hold every row.
     All,
 }
 
-type Reader = fn(&mut Words<'_>) -> Result<Printout, Mistake>;
+/// Measures of a region that have a table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Measure {
+    /// Stress.
+    Stress,
+    /// Where it comes from.
+    Partition,
+    /// Circles of Mohr.
+    Mohr,
+    /// Strain, its rate and what goes with them.
+    Strain,
+    /// Fabric tensors.
+    Fabric,
+    /// Fourier coefficients.
+    Fourier,
+    /// Contacts by direction.
+    Rose,
+    /// Coordination by material and by size.
+    Coordination,
+    /// Unknown forces against equations.
+    Redundancy,
+    /// Differences from the reference.
+    Changes,
+    /// Histogram of obliquities.
+    Obliquity,
+    /// Histogram of mean normal contact stresses.
+    ContactStress,
+    /// Histogram of normal forces.
+    Force,
+}
+
+/// Measures by the words for them; histograms have a word before.
+const MEASURES: &[(&str, Measure)] = &[
+    ("stress", Measure::Stress),
+    ("partition", Measure::Partition),
+    ("mohr", Measure::Mohr),
+    ("strain", Measure::Strain),
+    ("fabric", Measure::Fabric),
+    ("fourier", Measure::Fourier),
+    ("rose", Measure::Rose),
+    ("coordination", Measure::Coordination),
+    ("redundancy", Measure::Redundancy),
+    ("changes", Measure::Changes),
+];
+
+const HISTOGRAMS: &[(&str, Measure)] = &[
+    ("obliquity", Measure::Obliquity),
+    ("stress", Measure::ContactStress),
+    ("force", Measure::Force),
+];
+
+impl Measure {
+    /// All of them.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let listed = MEASURES.iter().chain(HISTOGRAMS);
+        listed.map(|(_, measure)| *measure)
+    }
+}
+
+/// What follows the first word.
+#[derive(Clone, Copy)]
+enum Rest {
+    Range(fn(Option<ParticleRange>) -> Printout),
+    Nothing(fn() -> Printout),
+    Region(Measure),
+    Histogram,
+    Profile,
+    Particle,
+}
+
+const REST: &[(&str, Rest)] = &[
+    ("balls", Rest::Range(Printout::Balls)),
+    ("contacts", Rest::Range(Printout::Contacts)),
+    ("walls", Rest::Nothing(|| Printout::Walls)),
+    ("types", Rest::Nothing(|| Printout::Types)),
+    ("boundary", Rest::Nothing(|| Printout::Boundary)),
+    ("energy", Rest::Nothing(|| Printout::Energy)),
+    ("step", Rest::Nothing(|| Printout::Step)),
+    ("histogram", Rest::Histogram),
+    ("profile", Rest::Profile),
+    ("polygon", Rest::Particle),
+    ("averages", Rest::Nothing(|| Printout::Averages)),
+    ("all", Rest::Nothing(|| Printout::All)),
+];
 
 fn parse(words: &mut Words<'_>) -> Result<Command, Mistake> {
-    let what = words.choose::<Reader>(&[
-        ("balls", |w| range(w).map(Printout::Balls)),
-        ("contacts", |w| range(w).map(Printout::Contacts)),
-        ("walls", |_| Ok(Printout::Walls)),
-        ("types", |_| Ok(Printout::Types)),
-        ("boundary", |_| Ok(Printout::Boundary)),
-        ("energy", |_| Ok(Printout::Energy)),
-        ("step", |_| Ok(Printout::Step)),
-        ("averages", |_| Ok(Printout::Averages)),
-        ("all", |_| Ok(Printout::All)),
-    ])?(words)?;
+    let measures = MEASURES
+        .iter()
+        .map(|(word, measure)| (*word, Rest::Region(*measure)));
+    let options: Vec<(&'static str, Rest)> = REST.iter().copied().chain(measures).collect();
+    let what = match words.choose(&options)? {
+        Rest::Range(of) => of(range(words)?),
+        Rest::Nothing(of) => of(),
+        Rest::Region(measure) => Printout::Measure(measure, words.region_if_any()?),
+        Rest::Histogram => {
+            let measure = words.choose(HISTOGRAMS)?;
+            Printout::Measure(measure, words.region_if_any()?)
+        }
+        Rest::Profile => {
+            let (region, rings) = profile(words)?;
+            Printout::Profile(region, rings)
+        }
+        Rest::Particle => Printout::Polygon(words.particle()?),
+    };
     Ok(Command::Print(what))
 }
 
@@ -72,23 +178,69 @@ fn range(words: &mut Words<'_>) -> Result<Option<ParticleRange>, Mistake> {
     words.particles().map(Some)
 }
 
+/// A region and a number of rings; either may be left out.
+pub(super) fn profile(words: &mut Words<'_>) -> Result<(Option<String>, Option<u64>), Mistake> {
+    let region = if words.is_at_number() {
+        None
+    } else {
+        words.region_if_any()?
+    };
+    if words.is_at_end() {
+        return Ok((region, None));
+    }
+    let rings = words.count_up_to("the number of rings", MOST_RINGS)?;
+    Ok((region, Some(rings)))
+}
+
+/// More rings than this are no table any more.
+const MOST_RINGS: u64 = 10_000;
+
+/// A region and a number of rings as a line holds them, a blank before each.
+pub(super) fn profile_words(region: Option<&String>, rings: Option<u64>) -> String {
+    let region = region.map_or_else(String::new, |name| format!(" {name}"));
+    let rings = rings.map_or_else(String::new, |rings| format!(" {rings}"));
+    region + &rings
+}
+
 impl fmt::Display for Printout {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (word, range) = match self {
-            Self::Balls(range) => ("balls", *range),
-            Self::Contacts(range) => ("contacts", *range),
-            Self::Walls => ("walls", None),
-            Self::Types => ("types", None),
-            Self::Boundary => ("boundary", None),
-            Self::Energy => ("energy", None),
-            Self::Step => ("step", None),
-            Self::Averages => ("averages", None),
-            Self::All => ("all", None),
+        let word = match self {
+            Self::Balls(_) => "balls",
+            Self::Contacts(_) => "contacts",
+            Self::Walls => "walls",
+            Self::Types => "types",
+            Self::Boundary => "boundary",
+            Self::Energy => "energy",
+            Self::Step => "step",
+            Self::Measure(measure, _) => return self.fmt_measure(*measure, f),
+            Self::Profile(..) => "profile",
+            Self::Polygon(_) => "polygon",
+            Self::Averages => "averages",
+            Self::All => "all",
         };
         f.write_str(word)?;
-        match range {
-            Some(range) => write!(f, " {range}"),
-            None => Ok(()),
+        match self {
+            Self::Balls(Some(range)) | Self::Contacts(Some(range)) => write!(f, " {range}"),
+            Self::Profile(region, rings) => f.write_str(&profile_words(region.as_ref(), *rings)),
+            Self::Polygon(id) => write!(f, " {id}"),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl Printout {
+    fn fmt_measure(&self, measure: Measure, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let of = |list: &'static [(&'static str, Measure)]| {
+            let found = list.iter().find(|(_, known)| *known == measure);
+            found.map(|(word, _)| *word)
+        };
+        match (of(MEASURES), of(HISTOGRAMS)) {
+            (Some(word), _) => f.write_str(word)?,
+            (None, word) => write!(f, "histogram {}", word.unwrap_or_default())?,
+        }
+        match self {
+            Self::Measure(_, Some(region)) => write!(f, " {region}"),
+            _ => Ok(()),
         }
     }
 }

@@ -28,6 +28,8 @@ pub(crate) enum Wanted {
     Keyword(&'static str),
     /// The name of a wall.
     Wall,
+    /// The name of a region.
+    Region,
     /// The name of a material.
     Material,
     /// The name of a column.

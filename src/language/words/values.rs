@@ -4,7 +4,7 @@ use super::{Wanted, Word, Words};
 use crate::language::command::ParticleRange;
 use crate::language::expression::Expression;
 use crate::language::mistake::{Mistake, shown};
-use crate::language::name::{column, is_name, no_wall_name};
+use crate::language::name::{column, is_name, no_name, no_wall_name};
 use crate::language::number;
 use crate::measure::columns::{Column, Partner};
 
@@ -59,6 +59,22 @@ impl<'a> Words<'a> {
         let x = self.number(&format!("{what} in x"))?;
         let y = self.number(&format!("{what} in y"))?;
         Ok([x, y])
+    }
+
+    /// A whole number from 1 to a limit.
+    pub(crate) fn count_up_to(&mut self, what: &str, most: u64) -> Result<u64, Mistake> {
+        self.skip_space();
+        let start = self.at;
+        let count = self.count(what)?;
+        if count <= most {
+            return Ok(count);
+        }
+        let message = format!("{what} is `{count}`");
+        Err(Mistake::new(
+            message,
+            format!("it must be at most {most}"),
+            start..self.at,
+        ))
     }
 
     /// A whole number from 1.
@@ -147,6 +163,19 @@ impl<'a> Words<'a> {
         } else {
             Err(no_wall_name(&word.text, word.span))
         }
+    }
+
+    /// The name of a region, where the line may also end.
+    pub(crate) fn region_if_any(&mut self) -> Result<Option<String>, Mistake> {
+        if self.is_at_end() {
+            self.wanted.push(Wanted::Region);
+            return Ok(None);
+        }
+        let word = self.word("a region")?;
+        if is_name(&word.text) {
+            return Ok(Some(word.text.into_owned()));
+        }
+        Err(no_name("region", &word.text, word.span))
     }
 
     /// The name of a material.

@@ -31,6 +31,12 @@ impl Names {
 
     /// Whether there is a region of this name.
     pub fn region(&self, name: &str) -> Result<(), UnknownColumn> {
+        if self.regions.is_empty() {
+            return Err(UnknownColumn {
+                message: format!("there is no region `{name}`"),
+                remedy: "the preset has no [[measure]]".into(),
+            });
+        }
         one_of("region", &self.regions, name)
     }
 

@@ -1,6 +1,6 @@
-//! Largest, smallest and mean of what balls and contacts show (Randall 1989, 4.6). Of his seven
-//! contact parameters the radius of the touching area and the stresses on it belong to Hertzian
-//! contacts; what every law has is shown.
+//! Largest, smallest and mean of what balls and contacts show (Randall 1989, 4.6). Of his eight
+//! contact parameters seven are listed; the share of friction in use and the overlap are added, and
+//! those of the contact area are shown where there is a circle.
 
 use super::super::figure::figure;
 use super::contacts::Carried;
@@ -48,15 +48,20 @@ pub(super) fn contacts(world: &World, range: Option<ParticleRange>) -> Vec<Strin
     if chosen.is_empty() {
         return contacts::none(world, range);
     }
-    let rows: [Parameter<OfContact>; 5] = [
+    let rows: [Parameter<OfContact>; 9] = [
         ("n", "N", |c| Some(c.normal)),
         ("t", "N", |c| Some(c.tangential)),
         ("angle", "deg", |c| Some(c.angle)),
         ("|t|/mu n", "-", |c| c.obliquity),
         ("overlap/d", "-", |c| Some(c.depth)),
+        ("a", "m", |c| Some(c.area.radius)),
+        ("sigma_n", "Pa", |c| Some(c.stress()[0])),
+        ("sigma_t", "Pa", |c| Some(c.stress()[1])),
+        ("a/R", "-", |c| Some(c.area.relative())),
     ];
+    let shown = if contacts::has_areas(world) { 9 } else { 5 };
     let mut table = empty();
-    for (name, unit, value) in rows {
+    for (name, unit, value) in rows.into_iter().take(shown) {
         let values = chosen.iter().filter_map(|c| Some((c.bodies(), value(c)?)));
         table.row(row(name, unit, &values.collect::<Vec<_>>()));
     }

@@ -5,7 +5,9 @@ use super::layout::{Table, name, number, optional, words};
 use crate::engine::World;
 use crate::engine::contact_report::Other;
 use crate::engine::neighbours::Status;
+use crate::engine::setup::Body;
 use crate::language::command::ParticleRange;
+use crate::measure::contact_area::ContactArea;
 
 /// Overlap over the smaller diameter beyond which a contact is marked: contact laws take the
 /// touching area as small (Randall 1989, 4.6).
@@ -32,7 +34,13 @@ pub(in crate::session) struct Carried {
     pub(in crate::session) obliquity: Option<f64>,
     /// Overlap over the smaller diameter.
     pub(in crate::session) depth: f64,
+    /// Area the bodies share.
+    pub(in crate::session) area: ContactArea,
 }
+
+/// a/R of the smaller body beyond which a contact is marked: another threshold than [`LARGE`], and
+/// crossed far earlier (Randall 1989, 4.6).
+const WIDE: f64 = 0.07;
 
 impl Carried {
     /// Listed contact k; `None` while it is apart.
@@ -64,7 +72,13 @@ impl Carried {
             sliding: reaction.sliding,
             obliquity: (limit > 0.0).then(|| reaction.tangential.abs() / limit),
             depth: geometry.overlap / (2.0 * smaller),
+            area: ContactArea::of(world, k),
         })
+    }
+
+    /// Mean normal and tangential stress on the contact area [Pa].
+    pub(in crate::session) fn stress(&self) -> [f64; 2] {
+        self.area.stress(self.normal, self.tangential)
     }
 
     /// `1-2` or `3-floor`.
@@ -148,6 +162,50 @@ pub(super) fn lines(world: &World, range: Option<ParticleRange>) -> Vec<String> 
         lines.push(format!(
             "* {deep} overlap by more than {} of the smaller diameter d",
             per_cent(LARGE)
+        ));
+    }
+    if has_areas(world) {
+        lines.push(String::new());
+        lines.extend(areas(&chosen));
+    }
+    lines
+}
+
+/// Whether contact areas are shown: spheres touch in circles.
+pub(super) fn has_areas(world: &World) -> bool {
+    world.model().body == Body::Sphere
+}
+
+fn areas(chosen: &[Carried]) -> Vec<String> {
+    let mut table = Table::new(
+        2,
+        &[
+            number("ball", ""),
+            words("with"),
+            number("a", "m"),
+            number("sigma_n", "Pa"),
+            number("sigma_t", "Pa"),
+            number("a/R", "-"),
+        ],
+    );
+    for c in chosen {
+        let ([normal, tangential], relative) = (c.stress(), c.area.relative());
+        let mark = if relative > WIDE { "*" } else { "" };
+        table.row(vec![
+            c.first.to_string(),
+            name(&c.second),
+            figure(c.area.radius),
+            figure(normal),
+            figure(tangential),
+            figure(relative) + mark,
+        ]);
+    }
+    let mut lines = table.lines();
+    let wide = chosen.iter().filter(|c| c.area.relative() > WIDE).count();
+    if wide > 0 {
+        lines.push(format!(
+            "* {wide} contact areas are wider than {} of the smaller radius R",
+            per_cent(WIDE)
         ));
     }
     lines

@@ -8,6 +8,7 @@ mod contacts;
 mod energy;
 mod layout;
 mod materials;
+mod measures;
 mod step;
 mod walls;
 
@@ -19,15 +20,20 @@ pub(super) use materials::dashpots;
 use crate::engine::World;
 use crate::language::command::Printout;
 use crate::measure::reference::Reference;
+use crate::measure::region::Region;
+use crate::measure::sample::Sample;
+use measures::Place;
 
 /// The lines of a table. `averages`: balls and contacts show largest, smallest and mean only.
 pub(super) fn table(
     world: &mut World,
+    regions: &[Region],
     reference: &Reference,
     what: &Printout,
     averages: bool,
 ) -> Vec<String> {
-    world.settle();
+    let sample = Sample::over(world, regions, Some(reference));
+    let world = sample.world();
     match what {
         Printout::Balls(range) if averages => averages::balls(world, *range),
         Printout::Balls(range) => balls::lines(world, reference, *range),
@@ -38,6 +44,11 @@ pub(super) fn table(
         Printout::Boundary => boundary::lines(world),
         Printout::Energy => energy::lines(world),
         Printout::Step => step::lines(world),
+        Printout::Measure(measure, region) => measures::lines(&sample, *measure, region.as_deref()),
+        Printout::Profile(region, rings) => {
+            measures::profile(&Place::of(&sample, region.as_deref()), *rings)
+        }
+        Printout::Polygon(id) => measures::polygon(world, *id),
         Printout::Averages => [
             averages::balls(world, None),
             vec![String::new()],
@@ -51,6 +62,7 @@ pub(super) fn table(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::language::command::Measure;
     use crate::scene::Scene;
     use crate::session::{Budget, Options, Session};
 
@@ -95,19 +107,39 @@ mod tests {
         max_cycles = 7
     "#;
 
-    const TABLES: [Printout; 8] = [
-        Printout::Balls(None),
-        Printout::Contacts(None),
-        Printout::Walls,
-        Printout::Types,
-        Printout::Boundary,
-        Printout::Energy,
-        Printout::Step,
-        Printout::Averages,
-    ];
+    fn tables() -> Vec<Printout> {
+        let mut tables = vec![
+            Printout::Balls(None),
+            Printout::Contacts(None),
+            Printout::Walls,
+            Printout::Types,
+            Printout::Boundary,
+            Printout::Energy,
+            Printout::Step,
+            Printout::Averages,
+            Printout::Profile(None, Some(3)),
+            Printout::Polygon(2),
+        ];
+        tables.extend(Measure::all().map(|measure| Printout::Measure(measure, None)));
+        tables
+    }
+
+    fn printed(session: &mut Session, what: &Printout, averages: bool) -> Vec<String> {
+        let Session {
+            world,
+            scene,
+            reference,
+            ..
+        } = session;
+        table(world, &scene.regions, reference, what, averages)
+    }
 
     fn session() -> Session {
-        let scene = Scene::parse("tables", SCENE, &[]).unwrap();
+        opened(SCENE)
+    }
+
+    fn opened(scene: &str) -> Session {
+        let scene = Scene::parse("tables", scene, &[]).unwrap();
         let mut session = Session::open(scene, Options::default()).unwrap();
         session.advance(Budget::default(), false).unwrap();
         session
@@ -115,13 +147,11 @@ mod tests {
 
     #[test]
     fn no_table_is_wider_than_a_line() {
-        let mut session = session();
-        for what in TABLES {
-            for averages in [false, true] {
-                let Session {
-                    world, reference, ..
-                } = &mut session;
-                let lines = table(world, reference, &what, averages);
+        let spheres = SCENE.replace("body = \"disc\"", "law = \"linear\"\ntime_step = 1e-6");
+        for scene in [SCENE, &spheres] {
+            let mut session = opened(scene);
+            for (what, averages) in tables().iter().flat_map(|t| [(t, false), (t, true)]) {
+                let lines = printed(&mut session, what, averages);
                 assert!(!lines.is_empty(), "{what}");
                 for line in lines {
                     assert!(line.chars().count() <= layout::WIDTH, "{line}");
@@ -133,20 +163,17 @@ mod tests {
 
     #[test]
     fn printing_changes_nothing() {
-        let (mut printed, mut other) = (session(), session());
+        let (mut watched, mut other) = (session(), session());
         for _ in 0..20 {
-            for what in TABLES {
-                let Session {
-                    world, reference, ..
-                } = &mut printed;
-                table(world, reference, &what, false);
+            for what in tables() {
+                printed(&mut watched, &what, false);
             }
-            printed.world.cycle().unwrap();
+            watched.world.cycle().unwrap();
             other.world.cycle().unwrap();
         }
-        assert_eq!(printed.world.state_hash(), other.world.state_hash());
-        assert_eq!(printed.world.fracc_monitor(), other.world.fracc_monitor());
-        assert_eq!(printed.world.bookings(), other.world.bookings());
+        assert_eq!(watched.world.state_hash(), other.world.state_hash());
+        assert_eq!(watched.world.fracc_monitor(), other.world.fracc_monitor());
+        assert_eq!(watched.world.bookings(), other.world.bookings());
     }
 
     #[test]
@@ -162,10 +189,7 @@ mod tests {
             Printout::Boundary,
         ] {
             for averages in [false, true] {
-                let Session {
-                    world, reference, ..
-                } = &mut session;
-                let lines = table(world, reference, &what, averages);
+                let lines = printed(&mut session, &what, averages);
                 assert_eq!(lines.len(), 1, "{lines:?}");
                 assert!(lines[0].contains("no"), "{lines:?}");
             }

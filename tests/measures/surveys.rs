@@ -1,0 +1,64 @@
+//! What panes are given is what columns and tables say.
+
+use ballast::measure::columns::Column;
+use ballast::measure::sample::Sample;
+use ballast::scene::Scene;
+use ballast::session::frames::{Shown, Wants};
+use ballast::session::{Budget, Options, Session};
+
+#[test]
+fn a_survey_agrees_with_the_columns() {
+    let scene = Scene::load("disc-pile", &[]).unwrap();
+    let mut session = Session::open(scene, Options::default()).unwrap();
+    let until = |cycle| Budget {
+        until_cycle: Some(cycle),
+        time: None,
+    };
+    session.advance(until(2000), false).unwrap();
+    session.type_line("reference").unwrap();
+    session.advance(until(2500), false).unwrap();
+    let frame =
+        |session: &mut Session, wants| session.frame(wants, 0.0, false, &mut Shown::default());
+    let bare = frame(&mut session, Wants::default());
+    assert!(bare.survey.is_none() && bare.polygon.is_none());
+    let wants = Wants {
+        survey: true,
+        polygon: Some(17),
+        ..Wants::default()
+    };
+    let full = frame(&mut session, wants);
+    let (survey, polygon) = (full.survey.unwrap(), full.polygon.unwrap());
+    assert_eq!(polygon.particle, 17);
+    let none = Wants {
+        polygon: Some(9999),
+        ..wants
+    };
+    assert!(frame(&mut session, none).polygon.is_none());
+    let contacts = full.assembly.contacts;
+    // Each contact is in each picture of the contacts once.
+    assert_eq!(survey.rose.contacts.iter().sum::<f64>(), contacts);
+    assert_eq!(survey.contact_stress.count(), contacts);
+    assert_eq!(survey.normal_force.count(), contacts);
+    let changes = survey.changes.unwrap();
+    assert_eq!(changes.kept + changes.made, contacts);
+    assert!(survey.lattice.len() as f64 <= contacts + changes.broken);
+    assert!(survey.strain.unwrap().particles == 105);
+    let sample = Sample::of(session.world_mut());
+    let value = |name: &str| sample.value(&Column::parse(name).unwrap());
+    for (name, found) in [
+        ("stress_22", survey.stress.total[(1, 1)]),
+        ("stress_shear_12", survey.stress.shear[(0, 1)]),
+        ("anisotropy", survey.fabric.anisotropy()),
+        ("fourier_a_n", survey.fourier.normal.amplitude()),
+        ("mean_obliquity", survey.obliquity.mean()),
+        ("redundancy", survey.redundancy.ratio()),
+        ("mean_contact_stress", survey.contact_stress.mean),
+        ("granular_temperature", survey.flow.temperature),
+    ] {
+        // The mean of a histogram and that of the column are summed alike.
+        assert!(
+            (value(name) - found).abs() <= 1e-15 * found.abs(),
+            "{name}: {found}"
+        );
+    }
+}
