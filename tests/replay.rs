@@ -229,8 +229,9 @@ fn replayed(journal: &Journal, batch: u64) -> (Session, Option<String>) {
         &journal.preset_text,
         &journal.overrides,
     );
-    let mut session = Session::open(scene.unwrap(), Options::default()).unwrap();
-    let mut replay = Replay::new(journal);
+    let scene = scene.unwrap();
+    let mut replay = Replay::new(journal, &scene);
+    let mut session = Session::open(scene, Options::default()).unwrap();
     loop {
         let until_cycle = Some(session.world().cycle_number() + batch);
         let budget = Budget {

@@ -8,8 +8,7 @@ use std::fs;
 use ballast::engine::setup::{
     Body, Damping, Dashpot, Gravity, LawChoice, NormalForm, TimeStepChoice,
 };
-use ballast::language::Command;
-use ballast::measure::columns::Column;
+use ballast::language::{Command, Observable};
 use ballast::scene::{Band, Scene, catalogue};
 
 /// One preset of a corpus file.
@@ -134,7 +133,7 @@ fn what_is_left_out_has_the_documented_value() {
     assert_eq!(setup.materials[0].friction, 0.0);
     assert_eq!(setup.particles[0].fixed, [false; 3]);
     assert_eq!((scene.seed, scene.history.every), (1, 100));
-    assert_eq!(scene.history.columns, Column::usual());
+    assert_eq!(scene.history.columns, Observable::usual());
     assert!(!scene.history.named && scene.check_every.is_none());
     // The usual columns have energies among them.
     assert!(setup.ledger);

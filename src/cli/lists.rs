@@ -64,10 +64,18 @@ pub(super) fn columns() -> u8 {
     // Those that have no other name stand in the listing already.
     let of_regions = assembly().filter(|row| row.is_regional() && row.is_global());
     let of_regions = of_regions.map(|row| ("region:NAME:", &row.card));
-    for (prefix, card) in listing().into_iter().chain(of_regions) {
-        let name = format!("{prefix}{}", card.name);
-        let unit = format!("[{}]", card.unit);
-        let _ = writeln!(text, "{name:26} {unit:8} {}", card.summary);
+    let rows: Vec<[String; 3]> = listing()
+        .into_iter()
+        .chain(of_regions)
+        .map(|(prefix, card)| {
+            let name = format!("{prefix}{}", card.name);
+            [name, format!("[{}]", card.unit), card.summary.to_owned()]
+        })
+        .collect();
+    let width = |k: usize| rows.iter().map(|row| row[k].len()).max().unwrap_or(0);
+    let (names, units) = (width(0), width(1));
+    for [name, unit, summary] in &rows {
+        let _ = writeln!(text, "{name:names$}  {unit:units$}  {summary}");
     }
     print(&text)
 }

@@ -1,7 +1,9 @@
 //! A command as data, and its canonical line.
 
+use super::definition::Definitions;
 use super::list::{COMMANDS, Card};
 use super::mistake::Mistake;
+use super::verbs::export;
 use super::words::{Words, quoted};
 use crate::engine::setup::Gravity;
 use crate::language::number::format as number;
@@ -12,6 +14,7 @@ use std::str::FromStr;
 pub use super::verbs::create::Create;
 pub use super::verbs::damp::Damper;
 pub use super::verbs::delete::ParticleRange;
+pub use super::verbs::export::{DumpOf, Export};
 pub use super::verbs::friction::FrictionOf;
 pub use super::verbs::history::HistoryChange;
 pub use super::verbs::particle::ParticleChange;
@@ -71,8 +74,8 @@ pub enum Command {
     Save(String),
     /// Reads the checkpoint in this file.
     Restore(String),
-    /// Writes the history to this file as CSV.
-    ExportCsv(String),
+    /// Writes the history or a table to this file as CSV.
+    Export(Export, String),
     /// Writes the commands so far to this file.
     Journal(String),
     /// Executes the commands in this file.
@@ -90,7 +93,12 @@ impl Command {
     /// Reads a line: verb and keywords in any case, shortened as long as they stay unambiguous,
     /// with an optional comment after `#`.
     pub fn parse(line: &str) -> Result<Self, Mistake> {
-        let mut words = Words::new(line)?;
+        Self::parse_with(line, &Definitions::default())
+    }
+
+    /// The same in a preset that defines columns.
+    pub fn parse_with(line: &str, definitions: &Definitions) -> Result<Self, Mistake> {
+        let mut words = Words::new(line, definitions)?;
         let card = words.card()?;
         let command = (card.parse)(&mut words)?;
         words.end()?;
@@ -144,7 +152,7 @@ impl Command {
             Self::History(_) => "history",
             Self::Save(_) => "save",
             Self::Restore(_) => "restore",
-            Self::ExportCsv(_) => "export",
+            Self::Export(..) => "export",
             Self::Journal(_) => "journal",
             Self::Source(_) => "source",
             Self::Help(_) => "help",
@@ -153,7 +161,7 @@ impl Command {
     }
 }
 
-/// The canonical line: it reads back as an equal command.
+/// The canonical line: it reads back as an equal command, with the same definitions.
 impl fmt::Display for Command {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.verb())?;
@@ -181,7 +189,7 @@ impl fmt::Display for Command {
             Self::InspectContact(i, Partner::Particle(j)) => write!(f, " contact {i}-{j}"),
             Self::InspectContact(i, Partner::Wall(wall)) => write!(f, " contact {i}-{wall}"),
             Self::History(change) => write!(f, "{change}"),
-            Self::ExportCsv(file) => write!(f, " csv {}", quoted(file)),
+            Self::Export(what, file) => write!(f, " {}", export::line(what, file)),
             Self::Save(file) | Self::Restore(file) | Self::Journal(file) | Self::Source(file) => {
                 write!(f, " {}", quoted(file))
             }

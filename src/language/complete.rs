@@ -27,7 +27,7 @@ pub fn complete(line: &str, known: &Known) -> Completion {
         .last()
         .map_or(line.len(), |(at, _)| at);
     let (head, typed) = line.split_at(start);
-    let Ok(mut words) = Words::new(head) else {
+    let Ok(mut words) = Words::new(head, &known.definitions) else {
         return Completion {
             start,
             candidates: Vec::new(),
@@ -68,8 +68,7 @@ fn all(wanted: Wanted, known: &Known) -> Vec<String> {
             names.map(|name| quoted(name).into_owned()).collect()
         }
         Wanted::Column => {
-            let global = assembly().filter(|row| row.is_global());
-            let global = global.map(|row| row.card.name.to_owned());
+            let global = known.definitions.names().map(str::to_owned);
             let walls = known.names.walls.iter().flat_map(|wall| {
                 WALL.iter()
                     .map(move |row| format!("wall:{wall}:{}", row.card.name))
@@ -94,6 +93,7 @@ fn all(wanted: Wanted, known: &Known) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::language::Definitions;
     use crate::measure::columns::Names;
 
     fn completed(line: &str) -> Vec<String> {
@@ -104,6 +104,7 @@ mod tests {
                 regions: vec!["core".into()],
                 materials: vec!["glass".into(), "soft clay".into()],
             },
+            definitions: Definitions::default(),
         };
         complete(line, &known).candidates
     }

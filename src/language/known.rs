@@ -1,8 +1,11 @@
 //! What a line can refer to: walls, particles, regions and materials.
 
-use super::command::{Command, Create, FrictionOf, Goal, HistoryChange, Printout, WallChange};
+use super::command::{
+    Command, Create, Export, FrictionOf, Goal, HistoryChange, Printout, WallChange,
+};
+use super::definition::Definitions;
 use super::mistake::{Mistake, shown};
-use crate::measure::columns::{Column, Names, Partner, UnknownColumn, nearest};
+use crate::measure::columns::{Names, Partner, UnknownColumn, nearest};
 use std::ops::Range;
 
 /// What exists. Commands are checked against it before anything runs, and completions come from it.
@@ -10,6 +13,8 @@ use std::ops::Range;
 pub struct Known {
     /// Walls, particles, regions and materials.
     pub names: Names,
+    /// Columns that the preset makes.
+    pub definitions: Definitions,
 }
 
 impl Known {
@@ -57,11 +62,12 @@ impl Known {
             }
             Command::Print(
                 Printout::Measure(_, Some(region)) | Printout::Profile(Some(region), _),
-            ) => self.region(region, line),
+            )
+            | Command::Export(Export::Profile(Some(region), _), _) => self.region(region, line),
             Command::Print(Printout::Polygon(id)) => self.particle(*id, line),
-            Command::History(HistoryChange::Columns(columns)) => {
-                columns.iter().try_for_each(|c| self.column(c, line))
-            }
+            Command::History(HistoryChange::Columns(columns)) => columns
+                .iter()
+                .try_for_each(|column| column.check(&self.names, place(line, &column.name()))),
             _ => Ok(()),
         }
     }
@@ -106,11 +112,6 @@ impl Known {
         let checked = self.names.particle(id);
         checked.map_err(|unknown| refused(unknown, place(line, &id.to_string())))
     }
-
-    fn column(&self, column: &Column, line: &str) -> Result<(), Mistake> {
-        let checked = column.check(&self.names);
-        checked.map_err(|unknown| refused(unknown, place(line, &column.name())))
-    }
 }
 
 fn refused(unknown: UnknownColumn, place: Range<usize>) -> Mistake {
@@ -138,6 +139,7 @@ mod tests {
                 regions: vec![],
                 materials: vec!["glass".into(), "steel".into()],
             },
+            definitions: Definitions::default(),
         }
     }
 

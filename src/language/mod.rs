@@ -6,17 +6,21 @@
 
 pub mod command;
 pub mod complete;
+pub mod definition;
 pub mod expression;
 pub mod known;
 pub mod list;
 pub mod mistake;
 pub mod name;
 pub mod number;
+pub mod observable;
 pub mod verbs;
 pub mod words;
 
 pub use command::Command;
+pub use definition::{Definition, Definitions};
 pub use expression::{Expression, Quantity, Term};
 pub use known::Known;
 pub use list::{COMMANDS, Card, reference_table};
 pub use mistake::Mistake;
+pub use observable::Observable;

@@ -1,5 +1,6 @@
 //! Names of walls and columns.
 
+use super::definition::Definitions;
 use super::mistake::{Mistake, shown};
 use crate::measure::columns::{Column, Kind, Partner};
 use std::ops::Range;
@@ -18,8 +19,13 @@ pub fn is_name(text: &str) -> bool {
         && letters.all(|c| c.is_alphanumeric() || c == '_')
 }
 
-/// Looks a column up. Only names of walls and regions tell upper from lower case.
-pub fn column(text: &str, span: Range<usize>) -> Result<Column, Mistake> {
+/// Looks a column up. Only names of walls, regions and materials tell upper from lower case.
+/// Definitions are no columns, but may be what was meant.
+pub fn column(
+    text: &str,
+    span: Range<usize>,
+    definitions: &Definitions,
+) -> Result<Column, Mistake> {
     if text.len() > LONGEST {
         let message = format!("{} is no column", shown(text));
         return Err(Mistake::new(message, "names are shorter", span));
@@ -43,8 +49,13 @@ pub fn column(text: &str, span: Range<usize>) -> Result<Column, Mistake> {
         let message = format!("{} is no column", shown(text));
         return Err(Mistake::new(message, format!("write it as {form}"), span));
     }
-    let column = Column::parse(&name)
-        .map_err(|unknown| Mistake::new(unknown.message, unknown.remedy, span.clone()))?;
+    let column = Column::parse(&name).map_err(|unknown| {
+        let remedy = match parts.len() {
+            1 if unknown.message.ends_with("is no column") => definitions.near(&name),
+            _ => unknown.remedy,
+        };
+        Mistake::new(unknown.message, remedy, span.clone())
+    })?;
     if let Column::Wall(wall, _) | Column::Contact(_, Partner::Wall(wall), _) = &column
         && !is_name(wall)
     {
@@ -62,8 +73,12 @@ pub fn column(text: &str, span: Range<usize>) -> Result<Column, Mistake> {
 }
 
 /// The same for a place where a number is needed.
-pub(crate) fn numeric_column(text: &str, span: Range<usize>) -> Result<Column, Mistake> {
-    let column = column(text, span.clone())?;
+pub(crate) fn numeric_column(
+    text: &str,
+    span: Range<usize>,
+    definitions: &Definitions,
+) -> Result<Column, Mistake> {
+    let column = column(text, span.clone(), definitions)?;
     if column.kind() == Kind::Hash {
         let message = format!(
             "`{}` is a hash, which no number can be computed from",
@@ -102,6 +117,10 @@ pub(crate) fn no_name(what: &str, name: &str, span: Range<usize>) -> Mistake {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn column(text: &str, span: Range<usize>) -> Result<Column, Mistake> {
+        super::column(text, span, &Definitions::default())
+    }
 
     #[test]
     fn case_matters_in_wall_names_only() {
@@ -147,7 +166,7 @@ mod tests {
             assert_eq!(mistake.span, 3..7);
         }
         assert!(column(&"x".repeat(1 << 20), 0..1).is_err());
-        assert!(numeric_column("state_hash", 0..1).is_err());
+        assert!(numeric_column("state_hash", 0..1, &Definitions::default()).is_err());
         assert!(column("state_hash", 0..1).is_ok());
     }
 }

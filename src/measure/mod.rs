@@ -13,6 +13,7 @@ pub mod fourth;
 pub mod frame;
 pub mod histogram;
 pub mod link;
+pub mod load;
 pub mod obliquity;
 pub mod polygon;
 pub mod profile;

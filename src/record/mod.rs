@@ -13,5 +13,6 @@ pub mod journal;
 pub mod number;
 #[cfg(test)]
 mod own_process;
+pub mod table;
 pub mod whole_file;
 mod whole_lines;

@@ -4,6 +4,7 @@ use super::draft::Draft;
 use super::key::{Absent, Bounds, Form, Key};
 use super::reader::Reader;
 use super::section::{Section, Shape};
+use crate::language::{Command, Definitions};
 
 /// What a preset says about itself.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -79,7 +80,7 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
         title: text("title"),
         shows: text("shows"),
         look: text("look"),
-        try_: commands(reader, "try"),
+        try_: commands(reader, "try", &draft.known.definitions),
         source: text("source"),
         quick: reader.flag("quick").unwrap_or_default(),
         pace: reader.number("pace"),
@@ -87,10 +88,10 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
 }
 
 /// Commands a reader may type later: they must be commands, but may name what is not there yet.
-fn commands(reader: &Reader<'_>, name: &str) -> Vec<String> {
+fn commands(reader: &Reader<'_>, name: &str, definitions: &Definitions) -> Vec<String> {
     let texts = reader.texts(name).unwrap_or_default();
     for (text, place) in &texts {
-        let parsed = crate::language::Command::parse(text);
+        let parsed = Command::parse_with(text, definitions);
         super::phrase::accept(reader.report, parsed, text, *place);
     }
     texts.into_iter().map(|(text, _)| text.to_owned()).collect()

@@ -1,6 +1,7 @@
 //! A scene while its preset is being read: the values so far, and where those were written that
 //! are checked against each other at the end.
 
+use super::dump::Dump;
 use super::expect::Expect;
 use super::history::History;
 use super::phrase;
@@ -11,8 +12,10 @@ use super::{about::About, reader::Reader};
 use crate::engine::setup::{
     Body, Damping, LawChoice, NormalForm, Setup, TimeStepChoice, Unloading,
 };
-use crate::language::{Command, Known, Mistake};
-use crate::measure::columns::{Column, Names, nearest};
+use std::sync::Arc;
+
+use crate::language::{Command, Definition, Known, Observable};
+use crate::measure::columns::{Names, nearest};
 use crate::measure::region::Region;
 
 /// The scene so far. A table in which something is wrong is kept with what could be read, so that
@@ -32,12 +35,16 @@ pub(crate) struct Draft<'a> {
     pub(crate) region_places: Vec<Place>,
     /// `[history]`.
     pub(crate) history: History,
+    /// `[dump]`.
+    pub(crate) dump: Option<Dump>,
     /// Cycles between tests of conditions that read columns.
     pub(crate) check_every: Option<u64>,
     /// `[[stage]]`, each with the place of its name.
     pub(crate) stages: Vec<(Stage, Place)>,
     /// `[[expect]]`.
     pub(crate) expects: Vec<Expect>,
+    /// `[history.define]`, each with its text and place.
+    pub(crate) definitions: Vec<(Arc<Definition>, &'a str, Place)>,
     /// What commands may name; follows the commands of the stages.
     pub(crate) known: Known,
     /// Every wall, region and particle that is there at some time: columns may name them all.
@@ -92,9 +99,11 @@ impl<'a> Draft<'a> {
             regions: Vec::new(),
             region_places: Vec::new(),
             history: History::default(),
+            dump: None,
             check_every: None,
             stages: Vec::new(),
             expects: Vec::new(),
+            definitions: Vec::new(),
             known: Known::default(),
             ever: Names::default(),
             model: Mark {
@@ -126,10 +135,8 @@ impl<'a> Draft<'a> {
     }
 
     /// Reports a column that names what is not there.
-    pub(crate) fn check_column(&self, column: &Column, text: &str, place: Place) {
-        let checked = column
-            .check(&self.ever)
-            .map_err(|unknown| Mistake::new(unknown.message, unknown.remedy, 0..text.len()));
+    pub(crate) fn check_column(&self, column: &Observable, text: &str, place: Place) {
+        let checked = column.check(&self.ever, 0..text.len());
         phrase::accept(self.report, checked, text, place);
     }
 

@@ -130,7 +130,8 @@ const fn number(name: &'static str, absent: Absent, summary: &'static str) -> Ke
 
 fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
     let what = reader.text("what").and_then(|(text, place)| {
-        let what = phrase::accept(reader.report, Quantity::parse(text), text, place)?;
+        let parsed = Quantity::parse_with(text, &draft.known.definitions);
+        let what = phrase::accept(reader.report, parsed, text, place)?;
         let checked = what.check(&draft.ever);
         phrase::accept(reader.report, checked, text, place).map(|()| (what, text))
     });

@@ -7,7 +7,7 @@ use super::place::quoted;
 use super::problem::Problem;
 use super::reader::Reader;
 use super::section::{Section, Shape};
-use crate::measure::columns::Column;
+use crate::language::Observable;
 
 /// What is recorded of a run.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -15,7 +15,7 @@ pub struct History {
     /// A row is written every so many cycles.
     pub every: u64,
     /// Columns after cycle, time and stage.
-    pub columns: Vec<Column>,
+    pub columns: Vec<Observable>,
     /// Whether the preset names the columns, rather than leaving them to the default.
     pub named: bool,
 }
@@ -46,6 +46,13 @@ const KEYS: &[Key] = &[
         summary: "list of columns after cycle, time and stage",
     },
     Key {
+        name: "define",
+        form: Form::Definitions,
+        unit: "-",
+        absent: Absent::Said("none"),
+        summary: "columns computed from others, for histories, conditions and expectations",
+    },
+    Key {
         name: "check_every",
         form: Form::Count(1, COUNT_MAX),
         unit: "cycles",
@@ -55,9 +62,13 @@ const KEYS: &[Key] = &[
 ];
 
 fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
+    for (definition, text, place) in &draft.definitions {
+        let checked = definition.expression.check(&draft.ever);
+        phrase::accept(reader.report, checked, text, *place);
+    }
     let mut columns = Vec::new();
     for (text, place) in reader.texts("columns").unwrap_or_default() {
-        let parsed = crate::language::name::column(text, 0..text.len());
+        let parsed = Observable::parse(text, 0..text.len(), &draft.known.definitions);
         let Some(column) = phrase::accept(reader.report, parsed, text, place) else {
             continue;
         };
@@ -83,7 +94,7 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
     }
     draft.history = History {
         every: reader.count("every").unwrap_or_default(),
-        columns: if named { columns } else { Column::usual() },
+        columns: if named { columns } else { Observable::usual() },
         named,
     };
     draft.check_every = reader.count("check_every");

@@ -45,6 +45,8 @@ pub(crate) enum Form {
     Table(&'static [Key]),
     /// A vector, or a table with these keys.
     VectorOrTable(&'static [Key]),
+    /// A table of expressions under names of their own.
+    Definitions,
 }
 
 /// What holds when a key is left out.
@@ -148,6 +150,7 @@ impl fmt::Display for Form {
             Self::Word(words) => f.write_str(&any_of(words)),
             Self::Words(words) => write!(f, "list of {}", any_of(words)),
             Self::WordOrNumber(words, bounds) => write!(f, "{} or {bounds}", any_of(words)),
+            Self::Definitions => f.write_str("{ NAME = \"EXPRESSION\", ... }"),
             Self::Table(keys) | Self::VectorOrTable(keys) => {
                 if !matches!(self, Self::Table(_)) {
                     f.write_str("[number, number] or ")?;

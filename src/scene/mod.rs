@@ -10,8 +10,10 @@ pub mod catalogue;
 
 mod about;
 mod damping;
+mod define;
 mod document;
 mod draft;
+mod dump;
 mod expect;
 mod file;
 mod gravity;
@@ -38,6 +40,7 @@ mod wall;
 use std::path::{Path, PathBuf};
 
 pub use about::About;
+pub use dump::Dump;
 pub use expect::{Band, Differs, Expect};
 pub use history::History;
 pub use reference::{reference_table, reference_text};
@@ -45,7 +48,7 @@ pub use rejection::Rejection;
 pub use stage::Stage;
 
 use crate::engine::setup::Setup;
-use crate::measure::columns::Column;
+use crate::language::{Definitions, Observable};
 use crate::measure::region::Region;
 use draft::Draft;
 use place::Source;
@@ -64,6 +67,7 @@ const SECTIONS: &[Section] = &[
     measure::SECTION,
     stage::SECTION,
     history::SECTION,
+    dump::SECTION,
     expect::SECTION,
 ];
 
@@ -86,6 +90,10 @@ pub struct Scene {
     pub regions: Vec<Region>,
     /// What is recorded.
     pub history: History,
+    /// Columns that the preset makes itself.
+    pub definitions: Definitions,
+    /// Tables that are written in the course of a run.
+    pub dump: Option<Dump>,
     /// What is done, in order.
     pub stages: Vec<Stage>,
     /// What must come out.
@@ -167,19 +175,17 @@ impl Scene {
     fn finished(name: &str, text: String, overrides: &[String], draft: Draft<'_>) -> Self {
         let stages: Vec<Stage> = draft.stages.into_iter().map(|(stage, _)| stage).collect();
         let conditions = stages.iter().filter_map(|stage| stage.until.as_ref());
-        let ledger = draft
-            .history
-            .columns
-            .iter()
-            .cloned()
-            .chain(conditions.flat_map(crate::language::Expression::columns))
+        let read = conditions
+            .flat_map(crate::language::Expression::columns)
             .chain(
                 draft
                     .expects
                     .iter()
                     .flat_map(|expect| expect.what.columns()),
-            )
-            .any(|column: Column| column.card().ledger);
+            );
+        let shown = &draft.history.columns;
+        let ledger = shown.iter().any(Observable::needs_ledger)
+            || read.into_iter().any(|column| column.card().ledger);
         Self {
             name: name.to_owned(),
             origin: Origin::Text,
@@ -193,6 +199,8 @@ impl Scene {
             check_every: draft.check_every,
             regions: draft.regions,
             history: draft.history,
+            definitions: draft.known.definitions,
+            dump: draft.dump,
             stages,
             expects: draft.expects,
             seed: draft.seed,

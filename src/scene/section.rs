@@ -69,6 +69,7 @@ pub(crate) fn read_all<'a>(document: &'a Table, report: &'a Report) -> Draft<'a>
             report.add(unknown(entry));
         }
     }
+    super::define::read(document, &mut draft);
     for section in super::SECTIONS {
         match document.get(section.name) {
             Some(entry) => read(section, entry, &mut draft),

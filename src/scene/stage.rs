@@ -5,7 +5,7 @@ use super::key::{Absent, COUNT_MAX, Form, Key};
 use super::phrase;
 use super::reader::Reader;
 use super::section::{Section, Shape};
-use crate::language::command::HistoryChange;
+use crate::language::command::{Export, HistoryChange};
 use crate::language::{Command, Expression, Mistake};
 
 /// One stage of a run.
@@ -83,14 +83,15 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
     }
     let mut commands = Vec::new();
     for (text, place) in reader.texts("do").unwrap_or_default() {
-        let parsed = Command::parse(text).and_then(|command| belongs(command, text));
+        let parsed = Command::parse_with(text, &draft.known.definitions)
+            .and_then(|command| belongs(command, text));
         if let Some(command) = phrase::accept(reader.report, parsed, text, place) {
             draft.follow(&command, text, place);
             commands.push(command);
         }
     }
     let until = reader.text("until").and_then(|(text, place)| {
-        let parsed = Expression::parse_condition(text);
+        let parsed = Expression::parse_condition_with(text, &draft.known.definitions);
         let until = phrase::accept(reader.report, parsed, text, place)?;
         let checked = until.check(&draft.known.names);
         phrase::accept(reader.report, checked, text, place).map(|()| until)
@@ -127,7 +128,8 @@ fn belongs(command: Command, text: &str) -> Result<Command, Mistake> {
             "put the commands themselves here; files are named on the command line"
         }
         Command::History(HistoryChange::Columns(_)) => "name them in [history] columns",
-        Command::ExportCsv(_) => "`ballast run PRESET --csv FILE` writes the history",
+        Command::Export(Export::History, _) => "`ballast run PRESET --csv FILE` writes the history",
+        Command::Export(..) => "[dump] writes tables in the course of a run",
         _ => return Ok(command),
     };
     let verb = command.card().name;

@@ -67,6 +67,9 @@ impl Session {
     /// One cycle and what belongs to the boundary it arrives at.
     fn cycle(&mut self) -> Result<(), RunError> {
         self.first_row()?;
+        if self.world.cycle_number() == 0 {
+            self.dump(false)?;
+        }
         self.world.cycle()?;
         assert!(
             self.panic_at != Some(self.world.cycle_number()),
@@ -80,10 +83,11 @@ impl Session {
             .world
             .cycle_number()
             .is_multiple_of(self.recording.every);
-        if due || (running && self.course.phase == Phase::Over) {
+        let ending = running && self.course.phase == Phase::Over;
+        if due || ending {
             self.take_row()?;
         }
-        Ok(())
+        self.dump(ending)
     }
 
     /// What the user asked for comes before what stages do at the same boundary. True when all of
@@ -111,7 +115,8 @@ impl Session {
     /// run for. A line that is refused ends the file, not the run.
     fn user_line(&mut self) -> bool {
         while let Some(line) = self.course.user_lines.pop_front() {
-            let command = Command::parse(&line).map_err(Refusal::from);
+            let parsed = Command::parse_with(&line, &self.scene.definitions);
+            let command = parsed.map_err(Refusal::from);
             match command.and_then(|command| self.execute(&command, By::User)) {
                 Ok(reply) => {
                     self.notices.push(line);
@@ -158,6 +163,7 @@ impl Session {
                         self.look_for_stage_end();
                         if self.course.phase == Phase::Over {
                             self.take_row()?;
+                            self.dump(true)?;
                         }
                     }
                 }
@@ -183,7 +189,7 @@ impl Session {
 
     fn issue(&mut self, line: &str) -> Result<(), RunError> {
         self.note(EventKind::Staged(line.to_owned()))?;
-        let done = match Command::parse(line) {
+        let done = match Command::parse_with(line, &self.scene.definitions) {
             Ok(command) => self.execute(&command, By::Stage),
             Err(mistake) => Err(mistake.into()),
         };

@@ -62,7 +62,8 @@ impl Session {
     /// Executes a line as if typed.
     pub fn type_line(&mut self, line: &str) -> Result<Reply, Refusal> {
         // People who have just opened a prompt with a colon type another.
-        let command = Command::parse(line.trim_start().trim_start_matches(':'))?;
+        let line = line.trim_start().trim_start_matches(':');
+        let command = Command::parse_with(line, &self.scene.definitions)?;
         self.execute(&command, By::User)
     }
 
@@ -70,6 +71,7 @@ impl Session {
     pub fn known(&self) -> Known {
         Known {
             names: self.names(),
+            definitions: self.scene.definitions.clone(),
         }
     }
 
@@ -156,7 +158,7 @@ impl Session {
             }
             Command::Save(_)
             | Command::Restore(_)
-            | Command::ExportCsv(_)
+            | Command::Export(..)
             | Command::Journal(_)
             | Command::Source(_) => self.keep(command),
             other => change::world(&mut self.world, other).map(Reply::line),
@@ -220,7 +222,7 @@ impl Session {
                     ));
                 }
                 let booked = self.world.ledger().is_some();
-                if let Some(column) = columns.iter().find(|c| c.card().ledger && !booked) {
+                if let Some(column) = columns.iter().find(|c| c.needs_ledger() && !booked) {
                     return Err(Refusal::new(
                         format!("{} needs energies booked from the start", column.name()),
                         "name it in [history] columns of the preset",

@@ -3,10 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use super::execute::{Reply, Request};
-use super::{Refusal, RunError, Session};
+use super::{Refusal, RunError, Session, tables};
+use crate::language::command::Export;
 use crate::language::{Command, Known};
 use crate::record::error::{Attempt, RecordError};
 use crate::record::journal::{Event, EventKind};
+use crate::record::table::CsvTable;
 
 impl Session {
     pub(super) fn keep(&mut self, command: &Command) -> Result<Reply, Refusal> {
@@ -23,9 +25,19 @@ impl Session {
                 let back = self.world.cycle_number();
                 Ok(Reply::line(format!("back at cycle {back}")))
             }
-            Command::ExportCsv(file) => {
+            Command::Export(Export::History, file) => {
                 let rows = self.export_csv(Path::new(file)).map_err(failed)?;
                 Ok(Reply::line(format!("{rows} rows in {file}")))
+            }
+            Command::Export(Export::All(of), file) => {
+                let table = tables::all(&self.sample(), *of);
+                write_table(&table, file, cycle)
+            }
+            Command::Export(Export::Profile(region, rings), file) => {
+                let sample = self.sample();
+                let named = region.as_ref().and_then(|name| sample.region(name));
+                let region = named.unwrap_or_else(|| sample.regional());
+                write_table(&tables::profile(region, *rings), file, cycle)
             }
             Command::Journal(file) => {
                 let mut journal = self.journal.clone();
@@ -62,6 +74,11 @@ impl Session {
             Request::Run,
         ))
     }
+}
+
+fn write_table(table: &CsvTable, file: &str, cycle: u64) -> Result<Reply, Refusal> {
+    crate::record::whole_file::write(Path::new(file), table.bytes())?;
+    Ok(Reply::line(format!("cycle {cycle} in {file}")))
 }
 
 /// A file of commands being read, and those it names.
@@ -105,7 +122,7 @@ impl Reading {
     }
 
     fn line(&mut self, line: &str) -> Result<(), Refusal> {
-        let command = Command::parse(line)?;
+        let command = Command::parse_with(line, &self.known.definitions)?;
         self.known.check(&command, line)?;
         self.known.follow(&command);
         match &command {

@@ -6,8 +6,9 @@ use std::time::{Duration, Instant};
 use super::Session;
 use crate::engine::ledger::{Bookings, Energies};
 use crate::engine::world::FraccMonitor;
+use crate::language::Observable;
 use crate::measure::assembly::Assembly;
-use crate::measure::columns::{Column, Kind};
+use crate::measure::columns::Kind;
 use crate::measure::fabric::Fabric;
 use crate::measure::frame::Picture;
 use crate::measure::polygon::ForcePolygon;
@@ -106,7 +107,7 @@ pub struct Frame {
     /// Forces on a particle, if wanted and there.
     pub polygon: Option<ForcePolygon>,
     /// Columns that are recorded and are numbers.
-    pub columns: Arc<[Column]>,
+    pub columns: Arc<[Observable]>,
     /// Rows recorded since the last frame.
     pub rows: Vec<ChartRow>,
     /// Whether `rows` begins the history anew.
@@ -124,7 +125,7 @@ pub struct Frame {
 pub struct Shown {
     serial: u64,
     rows: usize,
-    columns: Arc<[Column]>,
+    columns: Arc<[Observable]>,
     /// The stability bound, and when it was worked out: it costs more than the rest of a frame.
     limit: Option<(Instant, f64)>,
 }
@@ -132,7 +133,7 @@ pub struct Shown {
 impl Session {
     /// Takes a frame.
     pub fn frame(&mut self, wants: Wants, rate: f64, running: bool, shown: &mut Shown) -> Frame {
-        let columns: Vec<Column> = self
+        let columns: Vec<Observable> = self
             .recording()
             .shown()
             .filter(|c| c.kind() != Kind::Hash)

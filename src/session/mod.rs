@@ -7,6 +7,7 @@
 mod advance;
 mod change;
 mod course;
+mod dump;
 mod error;
 mod execute;
 pub mod figure;
@@ -18,6 +19,7 @@ mod print;
 mod recording;
 mod replay;
 mod save;
+mod tables;
 pub mod worker;
 
 pub use advance::{Budget, Progress};
@@ -28,9 +30,12 @@ pub use opening::Options;
 pub use recording::{Recording, Row};
 pub use replay::Replay;
 
+use std::path::PathBuf;
+
 use crate::engine::World;
 use crate::measure::columns::Names;
 use crate::measure::reference::Reference;
+use crate::measure::sample::Sample;
 use crate::record::history::History;
 use crate::record::journal::{Event, EventKind, Journal, JournalWriter};
 use crate::scene::Scene;
@@ -45,6 +50,10 @@ pub struct Session {
     journal: Journal,
     /// Where rows go besides memory.
     csv: Option<History>,
+    /// Path that the names of dumps begin with, if any are written.
+    dump_stem: Option<PathBuf>,
+    /// Cycle of the last dump: of several states of one cycle the first is kept, as in the history.
+    dumped: Option<u64>,
     /// Where events go besides memory.
     journal_file: Option<JournalWriter>,
     /// Things the user should know, in order.
@@ -75,6 +84,12 @@ impl Session {
     /// The world, for measuring: sums of forces may be made.
     pub fn world_mut(&mut self) -> &mut World {
         &mut self.world
+    }
+
+    /// The world, its regions and its reference at this boundary, ready to be measured.
+    pub fn sample(&mut self) -> Sample<'_> {
+        let regions = &self.scene.regions;
+        Sample::over(&mut self.world, regions, Some(&self.reference))
     }
 
     /// What was recorded.

@@ -45,6 +45,8 @@ impl Session {
             recording,
             journal,
             csv: None,
+            dump_stem: None,
+            dumped: None,
             journal_file: None,
             notices: Vec::new(),
             averages_only: false,

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use crate::language::Term;
+use crate::language::{Observable, Term};
 use crate::measure::columns::{Column, Kind};
 use crate::measure::sample::Sample;
 use crate::record::error::RecordError;
@@ -35,25 +35,25 @@ pub struct Recording {
     /// Columns that are shown and exported, in order.
     shown: Vec<usize>,
     /// All recorded columns: those shown, and those only expectations read.
-    columns: Vec<Column>,
+    columns: Vec<Observable>,
     rows: Vec<Row>,
 }
 
 impl Recording {
     /// Records `shown` and, unseen, `read`.
-    pub(super) fn new(every: u64, shown: &[Column], read: Vec<Column>) -> Self {
+    pub(super) fn new(every: u64, shown: &[Observable], read: Vec<Column>) -> Self {
         let mut recording = Self {
             every,
             ..Self::default()
         };
         recording.show(shown);
         for column in read {
-            recording.place(column);
+            recording.place(Observable::Column(column));
         }
         recording
     }
 
-    fn place(&mut self, column: Column) -> usize {
+    fn place(&mut self, column: Observable) -> usize {
         self.columns
             .iter()
             .position(|known| *known == column)
@@ -64,7 +64,7 @@ impl Recording {
     }
 
     /// Shows other columns from now on; rows before a column was recorded hold NaN.
-    pub(super) fn show(&mut self, columns: &[Column]) {
+    pub(super) fn show(&mut self, columns: &[Observable]) {
         self.shown = columns
             .iter()
             .map(|column| self.place(column.clone()))
@@ -72,7 +72,7 @@ impl Recording {
     }
 
     /// Columns that are shown.
-    pub fn shown(&self) -> impl Iterator<Item = &Column> {
+    pub fn shown(&self) -> impl Iterator<Item = &Observable> {
         self.shown.iter().map(|&k| &self.columns[k])
     }
 
@@ -83,11 +83,11 @@ impl Recording {
 
     /// Names of the columns that are shown.
     pub fn names(&self) -> Vec<String> {
-        self.shown().map(Column::name).collect()
+        self.shown().map(Observable::name).collect()
     }
 
     /// Place of a recorded column.
-    pub fn position(&self, column: &Column) -> Option<usize> {
+    pub fn position(&self, column: &Observable) -> Option<usize> {
         self.columns.iter().position(|known| known == column)
     }
 
@@ -106,9 +106,12 @@ impl Recording {
             Term::Cycle => of.cycle as f64,
             Term::Time => of.time,
             Term::StageCycle => of.stage_cycle as f64,
-            Term::Column(column) => self
-                .position(column)
-                .map_or(f64::NAN, |place| self.value(row, place)),
+            Term::Column(column) => {
+                let mut known = self.columns.iter();
+                known
+                    .position(|known| matches!(known, Observable::Column(own) if own == column))
+                    .map_or(f64::NAN, |place| self.value(row, place))
+            }
         }
     }
 
@@ -117,7 +120,7 @@ impl Recording {
         let bits = self
             .columns
             .iter()
-            .map(|column| sample.value(column).to_bits())
+            .map(|column| column.value(sample, stage_cycle).to_bits())
             .collect();
         let world = sample.world();
         let (cycle, time) = (world.cycle_number(), world.time());

@@ -8,9 +8,10 @@
 use std::collections::{BTreeMap, VecDeque};
 
 use super::{Budget, By, Progress, Refusal, RunError, Session};
-use crate::language::Command;
 use crate::language::command::HistoryChange;
+use crate::language::{Command, Definitions};
 use crate::record::journal::{Event, EventKind, Journal};
+use crate::scene::Scene;
 
 /// A journal being replayed.
 #[derive(Debug, Clone)]
@@ -18,22 +19,26 @@ pub struct Replay {
     events: VecDeque<Event>,
     /// Checkpoints by the name they were saved under.
     saved: BTreeMap<String, Vec<u8>>,
+    /// Columns that the preset makes.
+    definitions: Definitions,
 }
 
 impl Replay {
-    /// Of a journal.
-    pub fn new(journal: &Journal) -> Self {
+    /// Of a journal of this scene.
+    pub fn new(journal: &Journal, scene: &Scene) -> Self {
         Self {
             events: journal.events.iter().cloned().collect(),
             saved: BTreeMap::new(),
+            definitions: scene.definitions.clone(),
         }
     }
 
     /// Whether every command of a journal can be read; better known before the first cycle.
-    pub fn check(journal: &Journal) -> Result<(), RunError> {
-        for event in &journal.events {
+    pub fn check(&self) -> Result<(), RunError> {
+        for event in &self.events {
             if let EventKind::Typed(line) = &event.kind {
-                Command::parse(line).map_err(|mistake| refused(event.cycle, line, mistake))?;
+                let parsed = Command::parse_with(line, &self.definitions);
+                parsed.map_err(|mistake| refused(event.cycle, line, mistake))?;
             }
         }
         Ok(())
@@ -42,7 +47,7 @@ impl Replay {
     /// The rest of a journal for a session that was resumed in the middle of replaying it; `None` if
     /// what the session did is not how this journal begins.
     pub fn rest(journal: &Journal, session: &Session) -> Option<Self> {
-        let mut rest = Self::new(journal);
+        let mut rest = Self::new(journal, &session.scene);
         let typed = |event: &Event| matches!(event.kind, EventKind::Typed(_));
         let mut done = session.journal.events.as_slice();
         while let Some(next) = done.iter().position(typed) {
@@ -67,7 +72,7 @@ impl Replay {
     pub fn changes_columns(&self) -> bool {
         self.events.iter().any(|event| match &event.kind {
             EventKind::Typed(line) => matches!(
-                Command::parse(line),
+                Command::parse_with(line, &self.definitions),
                 Ok(Command::History(HistoryChange::Columns(_)))
             ),
             _ => false,
@@ -133,7 +138,7 @@ impl Session {
             EventKind::End => return Ok(()),
             EventKind::Typed(line) => line,
         };
-        let parsed = Command::parse(&line);
+        let parsed = Command::parse_with(&line, &self.scene.definitions);
         let command = parsed.map_err(|mistake| refused(cycle, &line, mistake))?;
         match &command {
             // The last thing a run that was killed has been told still holds.

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::course::Course;
 use super::{Recording, RunError, Session};
 use crate::engine::World;
-use crate::measure::columns::Column;
+use crate::language::Observable;
 use crate::measure::reference::Reference;
 use crate::record::checkpoint;
 use crate::record::journal::Journal;
@@ -22,6 +22,7 @@ struct Saved {
     course: Course,
     recording: Recording,
     reference: Reference,
+    dumped: Option<u64>,
     world: World,
 }
 
@@ -33,6 +34,7 @@ struct Saving<'a> {
     course: &'a Course,
     recording: &'a Recording,
     reference: &'a Reference,
+    dumped: Option<u64>,
     world: &'a World,
 }
 
@@ -60,6 +62,7 @@ impl Session {
             course: &self.course,
             recording: &self.recording,
             reference: &self.reference,
+            dumped: self.dumped,
             world: &self.world,
         });
         self.world.unload();
@@ -119,6 +122,7 @@ impl Session {
             course,
             recording,
             reference,
+            dumped,
             mut world,
         } = saved;
         let scene = Scene::parse(
@@ -146,6 +150,8 @@ impl Session {
             recording,
             journal,
             csv: None,
+            dump_stem: None,
+            dumped,
             journal_file: None,
             notices: Vec::new(),
             averages_only,
@@ -179,7 +185,7 @@ impl Session {
                 session.journal.preset_name
             )));
         }
-        let shown: Vec<Column> = self.recording.shown().cloned().collect();
+        let shown: Vec<Observable> = self.recording.shown().cloned().collect();
         // What is being executed is what was typed now, not what was being executed then.
         let user_lines = std::mem::take(&mut self.course.user_lines);
         self.course = Course {
@@ -191,6 +197,7 @@ impl Session {
         self.recording = session.recording;
         self.averages_only = session.averages_only;
         self.reference = session.reference;
+        self.dumped = session.dumped;
         self.rewrite_history(&shown)?;
         self.keep_safe();
         Ok(())
@@ -198,7 +205,7 @@ impl Session {
 
     /// The file being written shall hold one row for each cycle number, in the columns it began
     /// with: rows that are no more go out of it again.
-    fn rewrite_history(&mut self, shown: &[Column]) -> Result<(), RunError> {
+    fn rewrite_history(&mut self, shown: &[Observable]) -> Result<(), RunError> {
         let Some(csv) = &mut self.csv else {
             return Ok(());
         };

@@ -408,9 +408,11 @@ impl Desk {
     }
 
     fn begin_journal(&mut self) {
-        if let Some(keep) = &self.keep
-            && let Err(error) = self.session.write_journal(&keep.journal)
-        {
+        let Some(keep) = &self.keep else {
+            return;
+        };
+        self.session.write_dumps(&keep.journal);
+        if let Err(error) = self.session.write_journal(&keep.journal) {
             self.tell(Report::Notice(error.to_string()));
         }
     }

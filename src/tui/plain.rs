@@ -42,6 +42,7 @@ pub fn talk(
     let keep = folder(&session.scene().name);
     if let Some(keep) = &keep {
         session.write_journal(&keep.journal)?;
+        session.write_dumps(&keep.journal);
     }
     let title = &session.scene().about.title;
     say(output, &format!("{}: {title}", session.scene().name));

@@ -1,6 +1,6 @@
 //! Histories for charts: every row up to a limit, then every second one, and so on.
 
-use crate::measure::columns::Column;
+use crate::language::Observable;
 use crate::session::frames::{ChartRow, Frame};
 
 /// Rows kept at most.
@@ -10,7 +10,7 @@ const MOST: usize = 8192;
 #[derive(Debug, Default)]
 pub struct Series {
     /// Columns of the rows.
-    pub columns: Vec<Column>,
+    pub columns: Vec<Observable>,
     rows: Vec<ChartRow>,
     /// Only every so many rows is kept.
     stride: usize,

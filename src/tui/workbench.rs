@@ -76,6 +76,7 @@ pub fn run(scene: Scene, start: &Start) -> Result<Ended, RunError> {
     let keep = folder(&session.scene().name);
     if let Some(keep) = &keep {
         session.write_journal(&keep.journal)?;
+        session.write_dumps(&keep.journal);
     }
     let pace = match start.pace {
         Some(pace) => (pace > 0.0).then_some(pace),

@@ -2,10 +2,10 @@
 
 use ballast::engine::setup::Gravity;
 use ballast::language::command::{
-    Create, Damper, FrictionOf, Goal, HistoryChange, Measure, ParticleChange, ParticleRange,
-    Printout, Property, Solve, WallChange,
+    Create, Damper, DumpOf, Export, FrictionOf, Goal, HistoryChange, Measure, ParticleChange,
+    ParticleRange, Printout, Property, Solve, WallChange,
 };
-use ballast::language::{COMMANDS, Command, Expression, Known};
+use ballast::language::{COMMANDS, Command, Expression, Known, Observable};
 use ballast::measure::columns::{CONTACT, Column, PARTICLE, Partner, Read, Row, WALL, assembly};
 use proptest::prelude::*;
 
@@ -185,7 +185,9 @@ fn about_records() -> impl Strategy<Value = Command> {
     let history = prop_oneof![
         Just(HistoryChange::Show),
         count().prop_map(HistoryChange::Every),
-        columns.prop_map(HistoryChange::Columns),
+        columns.prop_map(|columns| {
+            HistoryChange::Columns(columns.into_iter().map(Observable::Column).collect())
+        }),
     ];
     let printout = prop_oneof![
         prop::option::of(range()).prop_map(Printout::Balls),
@@ -216,11 +218,21 @@ fn about_records() -> impl Strategy<Value = Command> {
         history.prop_map(Command::History),
         text().prop_map(Command::Save),
         text().prop_map(Command::Restore),
-        text().prop_map(Command::ExportCsv),
+        (export(), text()).prop_map(|(what, file)| Command::Export(what, file)),
         text().prop_map(Command::Journal),
         text().prop_map(Command::Source),
         prop::option::of(prop::sample::select(verbs)).prop_map(Command::Help),
         any::<bool>().prop_map(|anyway| Command::Quit { anyway }),
+    ]
+}
+
+fn export() -> impl Strategy<Value = Export> {
+    let profile = (prop::option::of(wall()), prop::option::of(1..10_000_u64));
+    prop_oneof![
+        Just(Export::History),
+        Just(Export::All(DumpOf::Particles)),
+        Just(Export::All(DumpOf::Contacts)),
+        profile.prop_map(|(region, rings)| Export::Profile(region, rings)),
     ]
 }
 

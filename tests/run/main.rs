@@ -1,6 +1,8 @@
 //! `ballast run` from outside: the same bytes however a run is cut up, and nothing lost however it
 //! ends.
 
+mod definitions;
+mod dumps;
 mod failure;
 mod interruption;
 mod overrides;

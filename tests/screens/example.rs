@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 use ballast::engine::ledger::{Bookings, Energies};
 use ballast::engine::world::FraccMonitor;
+use ballast::language::Observable;
 use ballast::measure::assembly::Assembly;
 use ballast::measure::columns::Column;
 use ballast::measure::frame::{Disc, Picture, Stroke, Touch};
@@ -97,7 +98,8 @@ fn directions(picture: &Picture) -> (Rose, Fabric) {
 }
 
 pub(crate) fn frame() -> Frame {
-    let columns = COLUMNS.map(|name| Column::parse(name).expect("it is in the list"));
+    let column = |name| Column::parse(name).expect("it is in the list");
+    let columns = COLUMNS.map(|name| Observable::Column(column(name)));
     Frame {
         serial: 1,
         title: "Seven discs settle".into(),

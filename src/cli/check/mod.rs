@@ -102,6 +102,15 @@ fn written(report: &mut Report, scene: &Scene, preset: &str) {
             name = scene.name
         ),
     );
+    if let Some(dump) = &scene.dump {
+        let names = dump
+            .what
+            .iter()
+            .map(|of| format!("{}.{of}.CYCLE.csv", scene.name));
+        let names: Vec<String> = names.collect();
+        let text = format!("{} every {} cycles", names.join(" and "), dump.every);
+        report.line("dumps", text);
+    }
     let expects = match scene.expects.len() {
         0 => "none".to_owned(),
         number => format!("{number}; test them with ballast verify {preset}"),

@@ -143,7 +143,7 @@ fn checkpoint(session: &Session, files: &Files) -> PathBuf {
     files.checkpoint.clone().unwrap_or_else(home)
 }
 
-fn home(session: &Session, ending: &str) -> PathBuf {
+pub(super) fn home(session: &Session, ending: &str) -> PathBuf {
     PathBuf::from(format!("{}.{ending}", session.scene().name))
 }
 

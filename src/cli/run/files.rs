@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use super::conclude::home;
 use super::prepare::Prepared;
 use crate::cli::Run;
 use crate::record::history::History;
@@ -121,6 +122,8 @@ impl Files {
         if let Some(journal) = &self.journal {
             session.write_journal(journal)?;
         }
+        let beside = self.csv.clone();
+        session.write_dumps(&beside.unwrap_or_else(|| home(session, "csv")));
         self.save(session)
     }
 

@@ -60,6 +60,11 @@ fn begin(
             })?
         }
     };
+    let replay = journal.map(|journal| Replay::new(journal, &scene));
+    if let Some(Err(error)) = replay.as_ref().map(Replay::check) {
+        complain(&format!("{name}: {error}"));
+        return Err(BAD_INPUT);
+    }
     let opened = Session::open(
         scene,
         Options {
@@ -73,7 +78,7 @@ fn begin(
     })?;
     Ok(Prepared {
         session,
-        replay: journal.map(Replay::new),
+        replay,
         resumed: false,
     })
 }
@@ -87,10 +92,6 @@ fn journal(path: &str) -> Result<Option<Journal>, u8> {
         return Ok(None);
     }
     let journal = Journal::parse(&text).map_err(|error| {
-        complain(&format!("{path}: {error}"));
-        BAD_INPUT
-    })?;
-    Replay::check(&journal).map_err(|error| {
         complain(&format!("{path}: {error}"));
         BAD_INPUT
     })?;
@@ -138,6 +139,10 @@ fn resume(
         (Some(name), Some(journal)) => {
             let same = journal.preset_text == scene.text
                 && scene.overrides == [&journal.overrides, set].concat();
+            Replay::new(journal, scene).check().map_err(|error| {
+                complain(&format!("{name}: {error}"));
+                BAD_INPUT
+            })?;
             let rest = same.then(|| Replay::rest(journal, &session)).flatten();
             Some(rest.ok_or_else(|| {
                 refuse(&format!(

@@ -11,8 +11,9 @@ pub(super) enum Meaning<L> {
     Condition(Condition<L>),
 }
 
-/// Reads the leaves of one kind of expression: `None` leaves the part to the common rules.
-pub(super) type Leaf<'a, L> = dyn FnMut(&Syntax) -> Result<Option<L>, Mistake> + 'a;
+/// Reads the leaves of one kind of expression, or what stands for several of them: `None` leaves the
+/// part to the common rules.
+pub(super) type Leaf<'a, L> = dyn FnMut(&Syntax) -> Result<Option<Number<L>>, Mistake> + 'a;
 
 /// What the text is as a whole.
 pub(super) fn meaning<L>(
@@ -67,7 +68,7 @@ pub(super) fn number<L>(
     leaf: &mut Leaf<'_, L>,
 ) -> Result<Number<L>, Mistake> {
     if let Some(found) = leaf(syntax)? {
-        return Ok(Number::Leaf(found));
+        return Ok(found);
     }
     match &syntax.form {
         Form::Number(value) => Ok(Number::Constant(*value)),

@@ -13,13 +13,16 @@ mod tree;
 pub use quantity::Quantity;
 pub use term::Term;
 
+use super::definition::Definitions;
 use super::mistake::{Mistake, shown};
 use crate::measure::columns::{Column, Names};
 use meaning::Meaning;
 use std::fmt;
+use std::ops::Range;
 use std::str::FromStr;
 use syntax::Syntax;
-use term::{Places, terms};
+use term::{Places, Scope, terms};
+use tree::Number;
 
 /// An expression over one row of a history: a number or a condition.
 #[derive(Debug, Clone)]
@@ -38,26 +41,63 @@ impl PartialEq for Expression {
 impl Expression {
     /// Reads an expression of either type.
     pub fn parse(text: &str) -> Result<Self, Mistake> {
-        Self::understand(&syntax::parse(text)?, text)
+        Self::parse_with(text, &Definitions::default())
+    }
+
+    /// The same in a preset that defines columns: their expressions take their places.
+    pub fn parse_with(text: &str, definitions: &Definitions) -> Result<Self, Mistake> {
+        Self::understand(&syntax::parse(text)?, text, definitions)
     }
 
     /// Reads an expression that holds or does not, as `until` needs it.
     pub fn parse_condition(text: &str) -> Result<Self, Mistake> {
-        Self::understand(&syntax::parse(text)?, text)?.into_condition(text)
+        Self::parse_condition_with(text, &Definitions::default())
+    }
+
+    /// The same in a preset that defines columns.
+    pub fn parse_condition_with(text: &str, definitions: &Definitions) -> Result<Self, Mistake> {
+        Self::parse_with(text, definitions)?.into_condition(text)
     }
 
     /// Reads a condition from the beginning of a text, and says at which byte what follows begins.
-    pub(crate) fn parse_leading_condition(text: &str) -> Result<(Self, usize), Mistake> {
+    pub(crate) fn parse_leading_condition(
+        text: &str,
+        definitions: &Definitions,
+    ) -> Result<(Self, usize), Mistake> {
         let (syntax, end) = syntax::parse_leading(text)?;
         let written = text[..end].trim_end();
-        let expression = Self::understand(&syntax, text)?.into_condition(written)?;
+        let expression = Self::understand(&syntax, text, definitions)?.into_condition(written)?;
         Ok((expression, end))
     }
 
-    fn understand(syntax: &Syntax, text: &str) -> Result<Self, Mistake> {
+    fn understand(syntax: &Syntax, text: &str, definitions: &Definitions) -> Result<Self, Mistake> {
         let mut places = Places::new();
-        let meaning = meaning::meaning(syntax, text, &mut *terms("", &mut places))?;
+        let scope = Scope {
+            inside: "",
+            definitions,
+        };
+        let meaning = meaning::meaning(syntax, text, &mut *terms(scope, &mut places))?;
         Ok(Self { meaning, places })
+    }
+
+    /// What takes the place of its name in another expression, which stands at these bytes.
+    fn as_number(&self, span: &Range<usize>) -> Result<Number<Term>, Mistake> {
+        match &self.meaning {
+            Meaning::Number(number) => Ok(number.clone()),
+            Meaning::Condition(_) => Err(Mistake::new(
+                "a condition stands where a number is needed",
+                "compare in the expression itself",
+                span.clone(),
+            )),
+        }
+    }
+
+    /// Constants, variables and what joins them: how much there is to compute.
+    pub(crate) fn parts(&self) -> usize {
+        match &self.meaning {
+            Meaning::Number(number) => number.parts(),
+            Meaning::Condition(condition) => condition.parts(),
+        }
     }
 
     fn into_condition(self, text: &str) -> Result<Self, Mistake> {

@@ -4,9 +4,10 @@ use super::meaning::{
     Leaf, Meaning, arguments_expected, condition, meaning, number, unknown_function, written,
 };
 use super::syntax::{self, Form, Syntax};
-use super::term::{AGGREGATES, Places, Term, terms};
+use super::term::{AGGREGATES, Places, Scope, Term, terms};
 use super::tree::{Condition, Number};
 use super::{check, each_once, shown};
+use crate::language::definition::Definitions;
 use crate::language::mistake::Mistake;
 use crate::measure::columns::{Column, Names};
 use std::fmt;
@@ -85,13 +86,18 @@ impl fmt::Display for Aggregate {
 impl Quantity {
     /// Reads a quantity.
     pub fn parse(text: &str) -> Result<Self, Mistake> {
+        Self::parse_with(text, &Definitions::default())
+    }
+
+    /// The same in a preset that defines columns: their expressions take their places.
+    pub fn parse_with(text: &str, definitions: &Definitions) -> Result<Self, Mistake> {
         let syntax = syntax::parse(text)?;
         let mut places = Places::new();
         let mut any = false;
         let mut leaf = |syntax: &Syntax| {
-            let found = aggregate(syntax, text, &mut places)?;
+            let found = aggregate(syntax, text, definitions, &mut places)?;
             any |= found.is_some();
-            Ok(found)
+            Ok(found.map(Number::Leaf))
         };
         let meaning = meaning(&syntax, text, &mut leaf as &mut Leaf<'_, Aggregate>)?;
         let Meaning::Number(number) = meaning else {
@@ -146,30 +152,39 @@ impl Quantity {
 fn aggregate(
     syntax: &Syntax,
     text: &str,
+    definitions: &Definitions,
     places: &mut Places,
 ) -> Result<Option<Aggregate>, Mistake> {
+    let scope = |inside| Scope {
+        inside,
+        definitions,
+    };
     let (function, arguments) = match &syntax.form {
         Form::Call(function, arguments) => (function.as_str(), arguments.as_slice()),
         Form::Name(name) => {
             // A word that is no column at all deserves that answer first.
-            let known = number(syntax, text, &mut *terms("", places))?;
+            let known = number(syntax, text, &mut *terms(scope(""), places))?;
+            let meant = match definitions.find(name) {
+                Some(definition) => definition.name.clone(),
+                None => known.to_string(),
+            };
             return Err(Mistake::new(
                 format!("{} has a value in every row", shown(name)),
-                format!("say which is meant: last({known}), max(...), min(...) or mean(...)"),
+                format!("say which is meant: last({meant}), max(...), min(...) or mean(...)"),
                 syntax.span.clone(),
             ));
         }
         _ => return Ok(None),
     };
-    let mut of = |part: &Syntax| number(part, text, &mut *terms(function, places));
+    let mut of = |part: &Syntax| number(part, text, &mut *terms(scope(function), places));
     Ok(Some(match (function, arguments) {
         ("last", [e]) => Aggregate::Last(of(e)?),
         ("max", [e]) => Aggregate::Largest(of(e)?),
         ("min", [e]) => Aggregate::Smallest(of(e)?),
         ("mean", [e]) => Aggregate::Mean(of(e)?),
         ("at", [when, e]) => {
-            let when = condition(when, text, "`at`", &mut *terms("at", places))?;
-            let e = number(e, text, &mut *terms("at", places))?;
+            let when = condition(when, text, "`at`", &mut *terms(scope("at"), places))?;
+            let e = number(e, text, &mut *terms(scope("at"), places))?;
             Aggregate::At(when, e)
         }
         ("last" | "mean", _) => {

@@ -2,9 +2,11 @@
 
 use super::meaning::{Leaf, arguments_expected};
 use super::syntax::{Form, Syntax};
+use super::tree::Number;
+use crate::language::definition::Definitions;
 use crate::language::mistake::{Mistake, near, shown};
 use crate::language::name::numeric_column;
-use crate::measure::columns::{Column, assembly};
+use crate::measure::columns::Column;
 use std::fmt;
 use std::ops::Range;
 
@@ -38,14 +40,22 @@ impl fmt::Display for Term {
 /// Columns and where the text names them.
 pub(super) type Places = Vec<(Column, Range<usize>)>;
 
+/// Where a variable stands: in which function over rows, if in any, and what its preset defines.
+#[derive(Clone, Copy)]
+pub(super) struct Scope<'a> {
+    pub(super) inside: &'a str,
+    pub(super) definitions: &'a Definitions,
+}
+
 /// Reads variables, and notes where columns stand.
-pub(super) fn term(
+fn term(
     syntax: &Syntax,
-    inside: &str,
+    scope: Scope<'_>,
     places: &mut Places,
-) -> Result<Option<Term>, Mistake> {
+) -> Result<Option<Number<Term>>, Mistake> {
+    let inside = scope.inside;
     match &syntax.form {
-        Form::Name(name) => named(name, syntax.span.clone(), places).map(Some),
+        Form::Name(name) => named(name, syntax.span.clone(), scope, places).map(Some),
         Form::Call(function, arguments) => match (function.as_str(), arguments.len()) {
             (name @ ("min" | "max"), 1) if inside.is_empty() => {
                 Err(arguments_expected(syntax, name, "two values", 1))
@@ -70,11 +80,16 @@ pub(super) fn term(
     }
 }
 
-fn named(name: &str, span: Range<usize>, places: &mut Places) -> Result<Term, Mistake> {
+fn named(
+    name: &str,
+    span: Range<usize>,
+    scope: Scope<'_>,
+    places: &mut Places,
+) -> Result<Number<Term>, Mistake> {
     match name.to_ascii_lowercase().as_str() {
-        "cycle" => return Ok(Term::Cycle),
-        "time" => return Ok(Term::Time),
-        "stage_cycle" => return Ok(Term::StageCycle),
+        "cycle" => return Ok(Number::Leaf(Term::Cycle)),
+        "time" => return Ok(Number::Leaf(Term::Time)),
+        "stage_cycle" => return Ok(Number::Leaf(Term::StageCycle)),
         bare @ ("abs" | "min" | "max" | "last" | "mean" | "at") => {
             let message = format!("`{bare}` is a function");
             let remedy = format!("write what it applies to: {bare}(...)");
@@ -82,10 +97,15 @@ fn named(name: &str, span: Range<usize>, places: &mut Places) -> Result<Term, Mi
         }
         _ => {}
     }
-    let column = numeric_column(name, span.clone()).map_err(|mistake| {
+    if let Some(definition) = scope.definitions.find(name) {
+        let columns = definition.expression.columns();
+        places.extend(columns.into_iter().map(|column| (column, span.clone())));
+        return definition.expression.as_number(&span);
+    }
+    let column = numeric_column(name, span.clone(), scope.definitions).map_err(|mistake| {
         // The list of columns does not know the variables.
         let variables = ["cycle", "time", "stage_cycle"];
-        let all = assembly().map(|row| row.card.name).chain(variables);
+        let all = scope.definitions.names().chain(variables);
         match near(name, all).filter(|best| variables.contains(best)) {
             Some(best) => Mistake::new(
                 format!("{} is no column", shown(name)),
@@ -96,10 +116,10 @@ fn named(name: &str, span: Range<usize>, places: &mut Places) -> Result<Term, Mi
         }
     })?;
     places.push((column.clone(), span));
-    Ok(Term::Column(column))
+    Ok(Number::Leaf(Term::Column(column)))
 }
 
 /// The reader of terms, as the rules of meaning want it.
-pub(super) fn terms<'a>(inside: &'a str, places: &'a mut Places) -> Box<Leaf<'a, Term>> {
-    Box::new(move |syntax| term(syntax, inside, places))
+pub(super) fn terms<'a>(scope: Scope<'a>, places: &'a mut Places) -> Box<Leaf<'a, Term>> {
+    Box::new(move |syntax| term(syntax, scope, places))
 }

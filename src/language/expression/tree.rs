@@ -56,6 +56,15 @@ impl<L> Number<L> {
         }
     }
 
+    /// How much there is to compute.
+    pub(super) fn parts(&self) -> usize {
+        match self {
+            Self::Constant(_) | Self::Leaf(_) => 1,
+            Self::Negative(of) | Self::Absolute(of) => 1 + of.parts(),
+            Self::Joined(_, a, b) => 1 + a.parts() + b.parts(),
+        }
+    }
+
     fn binding(&self) -> u8 {
         match self {
             Self::Joined(Arithmetic::Plus | Arithmetic::Minus, ..) => 1,
@@ -97,6 +106,14 @@ impl<L> Condition<L> {
             }
             Self::Both(a, b) => a.holds(leaf) && b.holds(leaf),
             Self::Either(a, b) => a.holds(leaf) || b.holds(leaf),
+        }
+    }
+
+    /// How much there is to compute.
+    pub(super) fn parts(&self) -> usize {
+        match self {
+            Self::Compared(_, a, b) => 1 + a.parts() + b.parts(),
+            Self::Both(a, b) | Self::Either(a, b) => 1 + a.parts() + b.parts(),
         }
     }
 

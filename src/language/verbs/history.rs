@@ -3,8 +3,8 @@
 use crate::language::command::Command;
 use crate::language::list::Card;
 use crate::language::mistake::Mistake;
+use crate::language::observable::Observable;
 use crate::language::words::Words;
-use crate::measure::columns::Column;
 use std::fmt;
 
 /// Row in the list.
@@ -25,14 +25,14 @@ pub const CARD: Card = Card {
 };
 
 /// What to do about the history.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum HistoryChange {
     /// Nothing: show it.
     Show,
     /// Record a row every so many cycles.
     Every(u64),
     /// Record these columns.
-    Columns(Vec<Column>),
+    Columns(Vec<Observable>),
 }
 
 type Reader = fn(&mut Words<'_>) -> Result<HistoryChange, Mistake>;
@@ -57,7 +57,7 @@ impl fmt::Display for HistoryChange {
             Self::Show => Ok(()),
             Self::Every(count) => write!(f, " every {count}"),
             Self::Columns(columns) => {
-                let names: Vec<String> = columns.iter().map(Column::name).collect();
+                let names: Vec<String> = columns.iter().map(Observable::name).collect();
                 write!(f, " columns {}", names.join(","))
             }
         }

@@ -6,6 +6,7 @@
 mod keywords;
 mod values;
 
+use super::definition::Definitions;
 use super::list::{self, Card};
 use super::mistake::{Mistake, shown};
 use super::number;
@@ -47,17 +48,20 @@ pub struct Words<'a> {
     verb: &'a str,
     usage: &'static str,
     wanted: Vec<Wanted>,
+    /// Columns that the preset makes itself.
+    definitions: &'a Definitions,
 }
 
 impl<'a> Words<'a> {
     /// Begins to read a line. Fails if a quote is left open or nothing is there to read.
-    pub(crate) fn new(line: &'a str) -> Result<Self, Mistake> {
+    pub(crate) fn new(line: &'a str, definitions: &'a Definitions) -> Result<Self, Mistake> {
         let mut words = Self {
             line,
             at: 0,
             verb: "",
             usage: "",
             wanted: Vec::new(),
+            definitions,
         };
         words.cut_comment()?;
         Ok(words)

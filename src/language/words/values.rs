@@ -4,9 +4,10 @@ use super::{Wanted, Word, Words};
 use crate::language::command::ParticleRange;
 use crate::language::expression::Expression;
 use crate::language::mistake::{Mistake, shown};
-use crate::language::name::{column, is_name, no_name, no_wall_name};
+use crate::language::name::{is_name, no_name, no_wall_name};
 use crate::language::number;
-use crate::measure::columns::{Column, Partner};
+use crate::language::observable::Observable;
+use crate::measure::columns::Partner;
 
 impl<'a> Words<'a> {
     fn numeral(&mut self, what: &str) -> Result<(f64, Word<'a>), Mistake> {
@@ -201,7 +202,7 @@ impl<'a> Words<'a> {
     }
 
     /// A list of columns that commas or spaces separate, to the end of the line.
-    pub(crate) fn columns(&mut self) -> Result<Vec<Column>, Mistake> {
+    pub(crate) fn columns(&mut self) -> Result<Vec<Observable>, Mistake> {
         let mut found = Vec::new();
         while let Some(rest) = self.peek() {
             if rest.starts_with(',') {
@@ -212,7 +213,7 @@ impl<'a> Words<'a> {
                 .find(|c: char| c == ',' || c.is_whitespace())
                 .unwrap_or(rest.len());
             let span = self.at..self.at + length;
-            let name = column(&rest[..length], span.clone())?;
+            let name = Observable::parse(&rest[..length], span.clone(), self.definitions)?;
             if found.contains(&name) {
                 let message = format!("`{}` is listed twice", name.name());
                 return Err(Mistake::new(message, "name each column once", span));
@@ -234,7 +235,7 @@ impl<'a> Words<'a> {
             return Err(self.missing("a condition"));
         }
         let start = self.at;
-        match Expression::parse_leading_condition(&self.line[start..]) {
+        match Expression::parse_leading_condition(&self.line[start..], self.definitions) {
             Ok((expression, length)) => {
                 self.at = start + length;
                 if self.is_at_end() {

@@ -101,7 +101,7 @@ fn encode_row(line: &mut Vec<u8>, cycle: u64, time: f64, stage: &str, cells: &[C
     encode(line, first.iter().chain(cells).map(Cell::text));
 }
 
-fn encode<T: AsRef<str>>(line: &mut Vec<u8>, mut fields: impl Iterator<Item = T>) {
+pub(super) fn encode<T: AsRef<str>>(line: &mut Vec<u8>, mut fields: impl Iterator<Item = T>) {
     let mut writer = csv::WriterBuilder::new()
         .terminator(csv::Terminator::Any(b'\n'))
         .buffer_capacity(512)

@@ -216,6 +216,11 @@ fn inside(
     inner: &Part,
     node: Node,
 ) -> Result<(), Problem> {
+    if matches!(form, Form::Definitions) && table.get(&key.text).is_none() {
+        let value = Value::Table(Table::default());
+        let place = key.place;
+        put(table, key, Node { place, value });
+    }
     match (
         form,
         table.get_mut(&key.text).map(|entry| &mut entry.node.value),
@@ -228,6 +233,10 @@ fn inside(
                 let what = format!("element of `{}`", key.text);
                 unknown(inner, &what, format!("it has {count}, counted from 0"))
             })? = node;
+            Ok(())
+        }
+        (Form::Definitions, Some(Value::Table(inside))) => {
+            put(inside, inner, node);
             Ok(())
         }
         (Form::Table(keys) | Form::VectorOrTable(keys), Some(Value::Table(inside)))

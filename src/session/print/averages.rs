@@ -8,6 +8,7 @@ use super::layout::{Table, number, words};
 use super::{balls, contacts};
 use crate::engine::World;
 use crate::language::command::ParticleRange;
+use crate::measure::load::load;
 
 /// One parameter of one item: what it is called, its value.
 type Value = (String, f64);
@@ -29,9 +30,9 @@ pub(super) fn balls(world: &World, range: Option<ParticleRange>) -> Vec<String> 
         ("vx", "m/s", &|p| world.velocity(p).0[0]),
         ("vy", "m/s", &|p| world.velocity(p).0[1]),
         ("spin", "rad/s", &|p| world.velocity(p).1),
-        ("Fx", "N", &|p| balls::load(world, p).0[0]),
-        ("Fy", "N", &|p| balls::load(world, p).0[1]),
-        ("moment", "N m", &|p| balls::load(world, p).1),
+        ("Fx", "N", &|p| load(world, p).0[0]),
+        ("Fy", "N", &|p| load(world, p).0[1]),
+        ("moment", "N m", &|p| load(world, p).1),
     ];
     let mut table = empty();
     for (name, unit, value) in rows {

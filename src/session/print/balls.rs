@@ -4,6 +4,7 @@ use super::super::figure::figure;
 use super::layout::{Table, number, words};
 use crate::engine::World;
 use crate::language::command::ParticleRange;
+use crate::measure::load::load;
 use crate::measure::reference::Reference;
 
 /// Indices of the particles in a range; all without one.
@@ -20,17 +21,6 @@ pub(super) fn none(range: Option<ParticleRange>) -> Vec<String> {
         None => "there are no particles".to_owned(),
         Some(range) => format!("there are no particles numbered {range}"),
     }]
-}
-
-/// Force [N] and moment [N m] on particle p: contacts, weight and applied force.
-pub(super) fn load(world: &World, p: usize) -> ([f64; 2], f64) {
-    let particles = world.particles();
-    let sum = particles.force[p];
-    let body = particles.body.get(p).copied().unwrap_or([0.0; 2]);
-    (
-        [sum.f[0] + body[0], sum.f[1] + body[1]],
-        sum.tau * particles.row[p].radius,
-    )
 }
 
 /// What of its motion is prescribed, in words.

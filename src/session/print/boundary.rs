@@ -4,6 +4,7 @@ use super::super::figure::figure;
 use super::layout::{Table, number, words};
 use super::{balls, walls};
 use crate::engine::World;
+use crate::measure::load::load;
 
 /// The tables.
 pub(super) fn lines(world: &World) -> Vec<String> {
@@ -39,7 +40,7 @@ fn particles(world: &World) -> Table {
         ],
     );
     for p in (0..particles.len()).filter(|&p| particles.fixed[p].contains(&true)) {
-        let ((v, spin), (force, moment)) = (world.velocity(p), balls::load(world, p));
+        let ((v, spin), (force, moment)) = (world.velocity(p), load(world, p));
         let mut row = vec![
             particles.id[p].to_string(),
             balls::prescribed(particles.fixed[p]),

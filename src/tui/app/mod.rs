@@ -203,7 +203,7 @@ impl App {
             .series
             .columns
             .iter()
-            .map(crate::measure::columns::Column::name)
+            .map(crate::language::Observable::name)
             .collect();
         let wanted = [
             "sin_phi",

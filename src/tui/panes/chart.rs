@@ -59,14 +59,14 @@ fn title(app: &App, id: PaneId) -> String {
     let Some(column) = app.series.position(name) else {
         return if name.is_empty() { "chart" } else { name }.to_owned();
     };
-    let card = app.series.columns[column].card();
+    let observable = &app.series.columns[column];
     let more = match companion(app, name) {
         Some(second) => format!("dotted: shear part {}", short(newest(app, second))),
-        None => card.summary.to_owned(),
+        None => observable.summary(),
     };
     format!(
         "{name} [{}] {}  {more}",
-        card.unit,
+        observable.unit(),
         short(newest(app, column))
     )
 }

@@ -4,6 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{Pane, PaneId};
+use crate::language::Observable;
 use crate::measure::columns::{Column, Kind};
 use crate::tui::app::App;
 use crate::tui::look::{Points, Role};
@@ -36,12 +37,12 @@ const NEXT: [&str; 6] = [
 ];
 
 /// Places of the columns, most useful first.
-fn order(columns: &[Column]) -> Vec<usize> {
-    let rank = |column: &Column| {
-        let Column::Global(_) = column else {
+fn order(columns: &[Observable]) -> Vec<usize> {
+    let rank = |column: &Observable| {
+        let Observable::Column(Column::Global(row)) = column else {
             return FIRST.len();
         };
-        let name = column.card().name;
+        let name = row.card.name;
         if let Some(at) = FIRST.iter().position(|first| *first == name) {
             return at;
         }
@@ -82,14 +83,17 @@ fn draw(app: &App, _: PaneId, area: Rect, buffer: &mut Buffer) {
 
 fn write_column(app: &App, k: usize, value: f64, width: u16, lines: &mut Lines<'_>) {
     let column = &app.series.columns[k];
-    let card = column.card();
     let number = if column.kind() == Kind::Count {
         count(value)
     } else {
         short(value)
     };
     let width = usize::from(width);
-    let unit = if card.unit == "-" { "" } else { card.unit };
+    let unit = if column.unit() == "-" {
+        ""
+    } else {
+        column.unit()
+    };
     let mut name = column.name();
     if width < 26 {
         // No room for columns: the number right behind the name.
@@ -162,7 +166,8 @@ fn sparkline(app: &App, column: usize, width: usize) -> String {
         cells[at].0 += value;
         cells[at].1 += 1;
     }
-    let scale = super::chart::axis(app.series.columns[column].card().name, low, high, 5);
+    let name = app.series.columns[column].bare_name();
+    let scale = super::chart::axis(name, low, high, 5);
     cells
         .into_iter()
         .map(|(sum, count)| {
@@ -184,7 +189,7 @@ mod tests {
     #[test]
     fn the_most_useful_come_first() {
         let names = ["dt", "kinetic", "wall:left:f1", "coordination", "contacts"];
-        let columns: Vec<Column> = names.iter().map(|n| Column::parse(n).unwrap()).collect();
+        let columns = names.map(|name| Observable::Column(Column::parse(name).unwrap()));
         let ordered: Vec<&str> = order(&columns).into_iter().map(|k| names[k]).collect();
         assert_eq!(
             ordered,
