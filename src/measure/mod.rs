@@ -15,6 +15,7 @@ pub mod histogram;
 pub mod link;
 pub mod load;
 pub mod obliquity;
+pub mod overlap;
 pub mod polygon;
 pub mod profile;
 pub mod redundancy;

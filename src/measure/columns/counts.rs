@@ -1,7 +1,8 @@
 //! How many contacts there are, and how they share out.
 
 use super::card::Row;
-use super::read::{Read, regional, whole};
+use super::read::{Read, regional, whole, world};
+use crate::measure::overlap::large_overlaps;
 
 pub(super) const ROWS: &[Row<Read>] = &[
     whole(
@@ -46,4 +47,11 @@ pub(super) const ROWS: &[Row<Read>] = &[
         |r| r.assembly().sliding_fraction,
     )
     .usual(),
+    world(
+        "overlap_warnings",
+        "-",
+        "contacts with an overlap above damping.overlap_critical, or 0.07, of the smallest diameter",
+        |s| large_overlaps(s.world()) as f64,
+    )
+    .counted(),
 ];

@@ -40,9 +40,16 @@ pub(super) const ROWS: &[Row<Read>] = &[
         "energy in the field of gravity, 0 at the start",
         |s| s.energies().potential,
     ),
-    booked("friction_loss", "energy lost by sliding, cumulative", |s| {
-        s.bookings().friction_loss
-    }),
+    booked(
+        "friction_loss",
+        "energy lost by sliding, slip within contacts and rolling, cumulative",
+        |s| s.bookings().friction_loss,
+    ),
+    booked(
+        "slip_loss",
+        "the part of friction_loss that was lost by slip within contacts",
+        |s| s.bookings().slip_loss,
+    ),
     booked(
         "damping_loss",
         "energy lost in contact dashpots, cumulative",
