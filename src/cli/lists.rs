@@ -77,6 +77,7 @@ pub(super) fn columns() -> u8 {
     for [name, unit, summary] in &rows {
         let _ = writeln!(text, "{name:names$}  {unit:units$}  {summary}");
     }
+    text.push_str("particle:I-J:x and so on are means over the particles I to J\n");
     print(&text)
 }
 

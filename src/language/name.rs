@@ -94,7 +94,7 @@ fn form(family: &str) -> Option<&'static str> {
     match family.to_ascii_lowercase().as_str() {
         "wall" => Some("wall:NAME:f1"),
         "contact" => Some("contact:I-J:n or contact:I-WALL:n"),
-        "particle" => Some("particle:I:x"),
+        "particle" => Some("particle:I:x or particle:I-J:x"),
         "region" => Some("region:NAME:porosity"),
         "material" => Some("material:NAME:coordination"),
         _ => None,

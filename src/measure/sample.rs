@@ -146,6 +146,16 @@ impl<'a> Sample<'a> {
                 let found = self.world.particles().index(*id);
                 found.map_or(f64::NAN, |p| (row.read)(self, p))
             }
+            Column::Particles(first, last, row) => {
+                let of = &self.world.particles().id;
+                let there = of.iter().enumerate();
+                let (sum, count) = there
+                    .filter(|(_, id)| (first..=last).contains(id))
+                    .fold((0.0, 0u32), |(sum, count), (p, _)| {
+                        (sum + (row.read)(self, p), count + 1)
+                    });
+                sum / f64::from(count)
+            }
             Column::Material(name, row) => {
                 let mut materials = self.world.model().materials.iter();
                 let found = materials.position(|material| material.name == *name);

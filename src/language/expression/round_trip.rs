@@ -9,6 +9,7 @@ fn some_term() -> impl Strategy<Value = Term> {
         "contact:1-2:n",
         "contact:3-floor_2:t",
         "particle:7:vx",
+        "particle:2-7:speed",
     ]);
     prop_oneof![
         Just(Term::Cycle),

@@ -127,8 +127,8 @@ fn numeral(text: &str) -> usize {
         .map_or(text.len(), |(at, _)| at)
 }
 
-/// Length of a name. A `-` belongs to it only between the bodies of a contact, so that everywhere
-/// else it subtracts.
+/// Length of a name. A `-` belongs to it only between the bodies of a contact or the numbers of
+/// particles, so that everywhere else it subtracts.
 fn name(text: &str) -> usize {
     let mut colons = 0;
     let mut joined = false;
@@ -141,7 +141,12 @@ fn name(text: &str) -> usize {
                 }
                 colons += 1;
             }
-            '-' if colons == 1 && !joined && family.eq_ignore_ascii_case("contact") => {
+            '-' if colons == 1
+                && !joined
+                && ["contact", "particle"]
+                    .iter()
+                    .any(|joins| family.eq_ignore_ascii_case(joins)) =>
+            {
                 joined = true;
             }
             c if c.is_alphanumeric() || c == '_' => {}
@@ -169,11 +174,12 @@ mod tests {
     }
 
     #[test]
-    fn a_dash_joins_the_bodies_of_a_contact_and_subtracts_elsewhere() {
+    fn a_dash_joins_bodies_and_numbers_and_subtracts_elsewhere() {
         for (text, expected) in [
             ("wall:left:f1-1", vec!["wall:left:f1", "-", "1"]),
             ("contact:1-floor:n-2", vec!["contact:1-floor:n", "-", "2"]),
             ("Contact:1-2:n", vec!["Contact:1-2:n"]),
+            ("particle:1-9:vx-1", vec!["particle:1-9:vx", "-", "1"]),
             ("a-b", vec!["a", "-", "b"]),
             ("1e-3-x", vec!["1e-3", "-", "x"]),
         ] {

@@ -30,6 +30,8 @@ pub enum Column {
     Contact(u32, Partner, &'static Row<ReadContact>),
     /// Of the particle of this number.
     Particle(u32, &'static Row<ReadParticle>),
+    /// Mean over the particles from one number to a higher one.
+    Particles(u32, u32, &'static Row<ReadParticle>),
     /// Of the particles of the material of this name.
     Material(String, &'static Row<ReadMaterial>),
     /// Of the region of this name.
@@ -43,7 +45,16 @@ impl Column {
         match parts.as_slice() {
             [global] => find_global(global).map(Self::Global),
             ["wall", wall, what] => Ok(Self::Wall((*wall).to_owned(), find(WALL, what)?)),
-            ["particle", id, what] => Ok(Self::Particle(number(id)?, find(PARTICLE, what)?)),
+            ["particle", ids, what] => {
+                let what = find(PARTICLE, what)?;
+                match ids.split_once('-') {
+                    None => Ok(Self::Particle(number(ids)?, what)),
+                    Some((first, last)) => {
+                        let (first, last) = ascending("particle", number(first)?, number(last)?)?;
+                        Ok(Self::Particles(first, last, what))
+                    }
+                }
+            }
             ["material", material, what] => Ok(Self::Material(
                 (*material).to_owned(),
                 find(MATERIAL, what)?,
@@ -61,13 +72,7 @@ impl Column {
                 if !second.starts_with(|c: char| c.is_ascii_digit()) {
                     return Ok(Self::Contact(i, Partner::Wall(second.to_owned()), what));
                 }
-                let j = number(second)?;
-                if i >= j {
-                    return Err(UnknownColumn {
-                        message: format!("`{pair}`: the lower number comes first"),
-                        remedy: format!("write contact:{}-{}:...", i.min(j), i.max(j)),
-                    });
-                }
+                let (i, j) = ascending("contact", i, number(second)?)?;
                 Ok(Self::Contact(i, Partner::Particle(j), what))
             }
             _ => Err(unknown(name, globals().map(|row| row.card.name))),
@@ -86,7 +91,7 @@ impl Column {
             Self::Global(row) | Self::Region(_, row) => &row.card,
             Self::Wall(_, row) => &row.card,
             Self::Contact(_, _, row) => &row.card,
-            Self::Particle(_, row) => &row.card,
+            Self::Particle(_, row) | Self::Particles(_, _, row) => &row.card,
             Self::Material(_, row) => &row.card,
         }
     }
@@ -109,6 +114,7 @@ impl Column {
             Self::Contact(i, Partner::Particle(j), _) => format!("contact:{i}-{j}:{card}"),
             Self::Contact(i, Partner::Wall(w), _) => format!("contact:{i}-{w}:{card}"),
             Self::Particle(i, _) => format!("particle:{i}:{card}"),
+            Self::Particles(i, j, _) => format!("particle:{i}-{j}:{card}"),
             Self::Material(material, _) => format!("material:{material}:{card}"),
             Self::Region(region, _) => format!("region:{region}:{card}"),
         }
@@ -122,6 +128,10 @@ impl Column {
             Self::Material(material, _) => names.material(material),
             Self::Region(region, _) => names.region(region),
             Self::Particle(i, _) => names.particle(*i),
+            Self::Particles(i, j, _) => {
+                names.particle(*i)?;
+                names.particle(*j)
+            }
             Self::Contact(i, partner, _) => {
                 names.particle(*i)?;
                 match partner {
@@ -167,6 +177,21 @@ fn number(text: &str) -> Result<u32, UnknownColumn> {
             message: format!("`{text}` is no particle number"),
             remedy: "particles are numbered from 1".into(),
         })
+}
+
+fn ascending(family: &str, i: u32, j: u32) -> Result<(u32, u32), UnknownColumn> {
+    if i < j {
+        return Ok((i, j));
+    }
+    let remedy = if i == j {
+        "name two different particles".into()
+    } else {
+        format!("write {family}:{j}-{i}:...")
+    };
+    Err(UnknownColumn {
+        message: format!("`{i}-{j}`: the lower number comes first"),
+        remedy,
+    })
 }
 
 fn find<R>(rows: &'static [Row<R>], name: &str) -> Result<&'static Row<R>, UnknownColumn> {

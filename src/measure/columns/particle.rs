@@ -1,4 +1,4 @@
-//! Columns of one particle, written `particle:I:x`.
+//! Columns of one particle, written `particle:I:x`, or their mean over several, `particle:I-J:x`.
 
 use super::card::Row;
 use crate::measure::sample::Sample;
@@ -30,6 +30,10 @@ pub const PARTICLE: &[Row<ReadParticle>] = &[
     }),
     Row::new("vy", "m/s", "velocity, direction 2", |s, p| {
         s.world().velocity(p).0[1]
+    }),
+    Row::new("speed", "m/s", "magnitude of the velocity", |s, p| {
+        let v = s.world().velocity(p).0;
+        libm::hypot(v[0], v[1])
     }),
     Row::new(
         "spin",
