@@ -11,3 +11,5 @@ mod normal;
 mod oblique;
 #[path = "impacts/shots.rs"]
 mod shots;
+#[path = "impacts/sliding.rs"]
+mod sliding;

@@ -87,6 +87,17 @@ pub fn rayleigh_root(poisson: f64) -> f64 {
 mod tests {
     use super::*;
 
+    /// Hand checks of Randall 1989, 5.1 and 5.4: 10.55 µs and 1.050 µs.
+    #[test]
+    fn steps_of_the_thesis() {
+        for (radius, poisson, step) in [(1e-2, 0.3, 1.055e-5), (1e-3, 0.28, 1.050e-6)] {
+            let shear = 210e9 / (2.0 * (1.0 + poisson));
+            let found = std::f64::consts::PI * radius * (7800.0f64 / shear).sqrt()
+                / rayleigh_linear(poisson);
+            assert!((found / step - 1.0).abs() < 5e-4, "{found}");
+        }
+    }
+
     #[test]
     fn rayleigh_alpha() {
         // The exact root for ν = 1/4 is √(2 - 2/√3).

@@ -33,6 +33,54 @@ pub const PRESETS: &[Preset] = &[
         "square-lattice",
         include_str!("../../presets/square-lattice.toml"),
     ),
+    preset(
+        "normal-impact",
+        include_str!("../../presets/normal-impact.toml"),
+    ),
+    preset(
+        "oblique-impact",
+        include_str!("../../presets/oblique-impact.toml"),
+    ),
+    preset(
+        "oblique-loading",
+        include_str!("../../presets/oblique-loading.toml"),
+    ),
+    preset(
+        "newtons-cradle",
+        include_str!("../../presets/newtons-cradle.toml"),
+    ),
+    preset(
+        "chung-ooi-1",
+        include_str!("../../presets/chung-ooi-1.toml"),
+    ),
+    preset(
+        "chung-ooi-2",
+        include_str!("../../presets/chung-ooi-2.toml"),
+    ),
+    preset(
+        "chung-ooi-3",
+        include_str!("../../presets/chung-ooi-3.toml"),
+    ),
+    preset(
+        "chung-ooi-4",
+        include_str!("../../presets/chung-ooi-4.toml"),
+    ),
+    preset(
+        "chung-ooi-5",
+        include_str!("../../presets/chung-ooi-5.toml"),
+    ),
+    preset(
+        "chung-ooi-6",
+        include_str!("../../presets/chung-ooi-6.toml"),
+    ),
+    preset(
+        "chung-ooi-7",
+        include_str!("../../presets/chung-ooi-7.toml"),
+    ),
+    preset(
+        "chung-ooi-8",
+        include_str!("../../presets/chung-ooi-8.toml"),
+    ),
 ];
 
 const fn preset(name: &'static str, text: &'static str) -> Preset {
