@@ -266,7 +266,7 @@ fn wrong_names_are_answered_with_near_ones() {
         ),
         (
             &["show", "zzz"],
-            &["there is no embedded preset", "two-discs"],
+            &["there is no embedded preset", "`ballast presets`"],
         ),
         (&["show"], &["<NAME>"]),
         (&["commands", "frictoin"], &["did you mean", "friction"]),

@@ -31,7 +31,9 @@ pub(super) fn show(name: &str) -> u8 {
         return print(preset.text);
     }
     let near = nearest(name, PRESETS.iter().map(|preset| preset.name));
-    complain(&format!("there is no embedded preset {name}; {near}"));
+    complain(&format!(
+        "there is no embedded preset {name}; {near}; `ballast presets` lists them"
+    ));
     super::BAD_INPUT
 }
 
