@@ -196,3 +196,98 @@ pub fn find_contact(world: &World, i: u32, partner: &Partner) -> Option<usize> {
         }
     }
 }
+<<<<<<< HEAD
+=======
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::engine::setup::*;
+
+    #[test]
+    fn every_listed_column_has_a_value() {
+        let particle = |x: f64| ParticleSetup {
+            at: [x, 0.0],
+            radius: 0.5,
+            material: 0,
+            velocity: [0.3, 0.1],
+            spin: 0.2,
+            angle: 0.0,
+            force: [0.0; 2],
+            fixed: [false; 3],
+        };
+        let wall = WallSetup {
+            name: "floor".into(),
+            material: 0,
+            point: [0.0, -0.49],
+            direction: [1.0, 0.0],
+            h1: -2.0,
+            h2: 2.0,
+            velocity: [0.0; 2],
+            angular_velocity: 0.0,
+            about: [0.0, -0.49],
+        };
+        let setup = Setup {
+            body: Body::Disc,
+            law: LawChoice::linear(),
+            normal: NormalForm::Total,
+            unloading: Unloading::Rescale,
+            nodes: 16,
+            time_step: TimeStepChoice::Critical,
+            frac: 0.1,
+            frac_auto: None,
+            rotation: true,
+            gravity: Some(Gravity::Uniform([0.0, -1.0])),
+            damping: Damping {
+                contact: Dashpot::Fraction(0.1),
+                ..Damping::default()
+            },
+            materials: vec![Material {
+                name: "m".into(),
+                density: 1.0,
+                young: None,
+                poisson: None,
+                friction: 0.5,
+                cohesion: 0.0,
+                normal_stiffness: Some(1e3),
+                shear_stiffness: Some(1e3),
+                rolling_friction: 0.0,
+                rigid: false,
+            }],
+            pairs: vec![],
+            particles: vec![particle(0.0), particle(0.99)],
+            walls: vec![wall],
+            tol: None,
+            fracc_every: 1,
+            overlap_allowed: false,
+            ledger: true,
+        };
+        let mut world = World::build(setup, 1).unwrap();
+        for _ in 0..3 {
+            world.cycle().unwrap();
+        }
+        let sample = Sample::of(&mut world);
+        let families = [
+            ("", COLUMNS),
+            ("wall:floor:", WALL_COLUMNS),
+            ("contact:1-2:", CONTACT_COLUMNS),
+            ("contact:1-floor:", CONTACT_COLUMNS),
+            ("particle:2:", PARTICLE_COLUMNS),
+            ("particle:1-2:", PARTICLE_COLUMNS),
+        ];
+        for (prefix, list) in families {
+            for card in list.iter().filter(|card| card.name != "state_hash") {
+                let column = Column::parse(&format!("{prefix}{}", card.name)).unwrap();
+                assert!(sample.value(&column).is_finite(), "{}", column.name());
+            }
+        }
+        for card in PARTICLE_COLUMNS {
+            let [one, two, both] = ["1", "2", "1-2"].map(|ids| {
+                let column = Column::parse(&format!("particle:{ids}:{}", card.name)).unwrap();
+                sample.value(&column)
+            });
+            assert_eq!(both, 0.5 * (one + two), "{}", card.name);
+        }
+    }
+}
+>>>>>>> fd252ba (Satisfy clippy)
