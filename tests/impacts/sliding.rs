@@ -1,7 +1,8 @@
 //! Impacts that slide throughout, from impulses alone; the numbers of the thesis' hand checks.
 
-use ballast::engine::setup::{Body, Damping, Dashpot, LawChoice};
+use ballast::engine::setup::{Body, Damping, Dashpot};
 
+use crate::common::law;
 use crate::shots::Shot;
 
 /// T = μ N throughout: v_t' = v_t - μ (1 + e) v_n and ω' = μ (1 + e) v_n R M/I.
@@ -10,11 +11,10 @@ use crate::shots::Shot;
 /// a jump: they stick for the first steps and lose less, 7e-4 of v_t at e = 0.5.
 #[test]
 fn gross_sliding_follows_from_impulses() {
-    use LawChoice::{HertzMindlin, MindlinDeresiewicz, MindlinDeresiewiczExact};
-    for (law, strong) in [
-        (MindlinDeresiewiczExact, 1e-9),
-        (MindlinDeresiewicz, 2e-3),
-        (HertzMindlin, 2e-3),
+    for (name, strong) in [
+        ("mindlin-deresiewicz-exact", 1e-9),
+        ("mindlin-deresiewicz", 2e-3),
+        ("hertz-mindlin", 2e-3),
     ] {
         for body in [Body::Sphere, Body::Disc] {
             for (e, friction, band) in [(1.0, 0.12, 1e-9), (0.98, 0.092, 1e-9), (0.5, 0.4, strong)]
@@ -30,18 +30,18 @@ fn gross_sliding_follows_from_impulses() {
                         ..Damping::default()
                     },
                     phase: 0.5,
-                    ..Shot::thesis(law, 0.0)
+                    ..Shot::thesis(law(name), 0.0)
                 };
                 let flight = shot.fire();
                 // With the restitution measured it is a matter of impulses.
                 let lost = friction * (vn + flight.v[0]);
                 let off = (flight.v[1] - (vt - lost)) / vt;
-                assert!(off.abs() < band, "{law:?} {body:?} {e}: {off}");
+                assert!(off.abs() < band, "{name} {body:?} {e}: {off}");
                 let (_, inertia) = shot.mass();
                 let off = (flight.spin * inertia * shot.radius + lost) / vt;
-                assert!(off.abs() < band, "{law:?} {body:?} {e}: {off}");
+                assert!(off.abs() < band, "{name} {body:?} {e}: {off}");
                 let off = flight.v[0] / vn - e;
-                assert!(off.abs() < 1e-3, "{law:?} {body:?} {e}: {off}");
+                assert!(off.abs() < 1e-3, "{name} {body:?} {e}: {off}");
             }
         }
     }
@@ -51,7 +51,7 @@ fn gross_sliding_follows_from_impulses() {
 #[test]
 fn sliding_throughout_begins_where_it_should() {
     let off = |share: f64| {
-        let base = Shot::thesis(LawChoice::MindlinDeresiewiczExact, 0.0);
+        let base = Shot::thesis(law("mindlin-deresiewicz-exact"), 0.0);
         let edge = base.friction * (7.0 - 1.0 / base.kappa());
         let shot = Shot {
             velocity: [0.4, share * edge * 0.4],
