@@ -108,6 +108,7 @@ impl Definitions {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::measure::columns::Column;
 
     #[test]
     fn definitions_take_the_place_of_their_names() {
@@ -124,7 +125,7 @@ mod tests {
         assert_eq!(value(&text, &Definitions::default()), 9.0);
         assert_eq!(value("2 * half", &definitions), 18.0);
         let found = Expression::parse_condition_with("half > 1", &definitions).unwrap();
-        let columns: Vec<String> = found.columns().iter().map(|c| c.name()).collect();
+        let columns: Vec<String> = found.columns().iter().map(Column::name).collect();
         assert_eq!(columns, ["kinetic", "rotational"]);
         // A definition without columns needs no sample.
         definitions.define("two", "2").unwrap();

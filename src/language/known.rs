@@ -37,7 +37,9 @@ impl Known {
                 self.material(material.as_ref(), line)
             }
             Command::Wall(name, _) => self.wall(name, line),
-            Command::Particle(id, _) => self.particle(*id, line),
+            Command::Particle(id, _) | Command::Print(Printout::Polygon(id)) => {
+                self.particle(*id, line)
+            }
             Command::Property(material, ..) => self.material(Some(material), line),
             Command::Friction(_, of) => match of {
                 FrictionOf::Everything => Ok(()),
@@ -64,7 +66,6 @@ impl Known {
                 Printout::Measure(_, Some(region)) | Printout::Profile(Some(region), _),
             )
             | Command::Export(Export::Profile(Some(region), _), _) => self.region(region, line),
-            Command::Print(Printout::Polygon(id)) => self.particle(*id, line),
             Command::History(HistoryChange::Columns(columns)) => columns
                 .iter()
                 .try_for_each(|column| column.check(&self.names, place(line, &column.name()))),

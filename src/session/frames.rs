@@ -21,6 +21,10 @@ const LIMIT_AGE: Duration = Duration::from_secs(1);
 
 /// Which costly parts of a frame are wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each part is wanted or not, whatever is wanted besides"
+)]
 pub struct Wants {
     /// Discs, contacts and walls.
     pub picture: bool,

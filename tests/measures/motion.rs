@@ -94,7 +94,13 @@ fn flow_is_the_common_field_and_temperature_the_rest() {
     let discs: Vec<Disc> = (0..64_u32)
         .map(|k| ([2.2 * f64::from(k % 8), 2.2 * f64::from(k / 8)], 1.0))
         .collect();
-    let checker = |k: usize| if (k % 8 + k / 8) % 2 == 0 { 0.7 } else { -0.7 };
+    let checker = |k: usize| {
+        if (k % 8 + k / 8).is_multiple_of(2) {
+            0.7
+        } else {
+            -0.7
+        }
+    };
     for besides in [0.0, 1.0] {
         let world = driven(&discs, |k, x| {
             Vector2::new(besides * checker(k), 3.0) + gradient() * x

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use ballast::measure::profile::Profile;
+use ballast::measure::profile::{Profile, Ring};
 use ballast::measure::region::Shape;
 
 use crate::packing::{built, close, compressed, lattice, measured, setup};
@@ -49,7 +49,7 @@ fn rings_add_up_to_their_region() {
         assert_eq!(rings.len(), count);
         let discs: f64 = rings.iter().map(|ring| ring.disc_area).sum();
         assert!(close(discs, content.disc_area, 1e-13, discs));
-        let area: f64 = rings.iter().map(|ring| ring.area()).sum();
+        let area: f64 = rings.iter().map(Ring::area).sum();
         assert!(close(area, content.area, 1e-13, area));
         let particles: usize = rings.iter().map(|ring| ring.particles).sum();
         assert_eq!(particles, content.particles());

@@ -18,7 +18,7 @@ pub(super) fn table(sample: &Sample<'_>) -> CsvTable {
     let world = sample.world();
     let (particles, degrees) = (world.particles(), degrees(world));
     let mut table = CsvTable::new(&COLUMNS);
-    for p in 0..particles.len() {
+    for (p, &degree) in degrees.iter().enumerate() {
         let (id, row) = (particles.id[p], &particles.row[p]);
         let material = &world.model().materials[usize::from(particles.material[p])];
         let (x, (v, spin), (force, moment)) =
@@ -38,7 +38,7 @@ pub(super) fn table(sample: &Sample<'_>) -> CsvTable {
             Cell::Real(force[0]),
             Cell::Real(force[1]),
             Cell::Real(moment),
-            Cell::Count(u64::from(degrees[p])),
+            Cell::Count(u64::from(degree)),
             Cell::Real(u[0]),
             Cell::Real(u[1]),
             Cell::Real(rotation),
