@@ -23,7 +23,31 @@ pub struct Meeting {
     pub slide: f64,
 }
 
+/// What two bodies make of a contact together.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Effective {
+    /// R* = R1 R2/(R1 + R2); the particle's own at a wall [m].
+    pub radius: f64,
+    /// M* = m1 m2/(m1 + m2); the particle's own at a wall [kg].
+    pub mass: f64,
+    /// E*; zero where the law has no modulus [Pa].
+    pub young: f64,
+    /// G*; zero where the law has no modulus [Pa].
+    pub shear: f64,
+}
+
 impl World {
+    /// Effective radius, mass and moduli of listed contact k.
+    pub fn effective(&self, k: usize) -> Effective {
+        let basis = self.basis(k);
+        Effective {
+            radius: basis.r_eff,
+            mass: basis.m_eff,
+            young: basis.pair.young,
+            shear: basis.pair.shear,
+        }
+    }
+
     /// The two bodies of listed contact k: index of the first particle, and the other.
     pub fn bodies(&self, k: usize) -> (usize, Other) {
         if let Some(&[i, j]) = self.contacts.pairs.get(k) {

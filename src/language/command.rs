@@ -14,7 +14,7 @@ use std::str::FromStr;
 pub use super::verbs::create::Create;
 pub use super::verbs::damp::Damper;
 pub use super::verbs::delete::ParticleRange;
-pub use super::verbs::export::{DumpOf, Export};
+pub use super::verbs::export::{ContactFile, DumpOf, Export};
 pub use super::verbs::friction::FrictionOf;
 pub use super::verbs::history::HistoryChange;
 pub use super::verbs::particle::ParticleChange;
@@ -68,6 +68,8 @@ pub enum Command {
     Print(Printout),
     /// Shows a contact: the lower particle number and its partner.
     InspectContact(u32, Partner),
+    /// Follows no contact any more.
+    InspectOff,
     /// Shows or changes what is recorded.
     History(HistoryChange),
     /// Writes a checkpoint to this file.
@@ -148,7 +150,7 @@ impl Command {
             Self::Go => "go",
             Self::Pause => "pause",
             Self::Print(_) => "print",
-            Self::InspectContact(..) => "inspect",
+            Self::InspectContact(..) | Self::InspectOff => "inspect",
             Self::History(_) => "history",
             Self::Save(_) => "save",
             Self::Restore(_) => "restore",
@@ -188,6 +190,7 @@ impl fmt::Display for Command {
             Self::Print(what) => write!(f, " {what}"),
             Self::InspectContact(i, Partner::Particle(j)) => write!(f, " contact {i}-{j}"),
             Self::InspectContact(i, Partner::Wall(wall)) => write!(f, " contact {i}-{wall}"),
+            Self::InspectOff => f.write_str(" off"),
             Self::History(change) => write!(f, "{change}"),
             Self::Export(what, file) => write!(f, " {}", export::line(what, file)),
             Self::Save(file) | Self::Restore(file) | Self::Journal(file) | Self::Source(file) => {

@@ -73,3 +73,33 @@ pub fn normal_stresses(world: &World, inside: &[bool]) -> Vec<(f64, f64)> {
         })
         .collect()
 }
+
+/// Largest pressure of Hertz, p0 = 3 N/(2 π a²) = 2 E* a/(π R*), of listed contact k [Pa]; NaN if its
+/// law knows no moduli.
+pub fn peak_pressure(world: &World, k: usize) -> f64 {
+    let effective = world.effective(k);
+    if effective.young > 0.0 {
+        2.0 * effective.young * ContactArea::of(world, k).radius / (PI * effective.radius)
+    } else {
+        f64::NAN
+    }
+}
+
+/// |T|/(μ N) of listed contact k; NaN without friction or load.
+pub fn obliquity(world: &World, k: usize) -> f64 {
+    let reaction = world.reaction(k);
+    let limit = world.pair_of(k).friction * reaction.normal;
+    if limit > 0.0 {
+        reaction.tangential.abs() / limit
+    } else {
+        f64::NAN
+    }
+}
+
+/// c/a of listed contact k, the radius of what sticks over that of the contact; NaN if its law knows
+/// nothing of it.
+pub fn stick_ratio(world: &World, k: usize) -> f64 {
+    let traction = world.pass().traction(k);
+    let slips = traction.filter(|traction| traction.friction > 0.0);
+    slips.map_or(f64::NAN, |traction| traction.stick_ratio())
+}

@@ -2,6 +2,7 @@
 //! in itself: whoever draws it needs no world.
 
 use crate::engine::World;
+use crate::engine::contact_report::Other;
 use crate::engine::neighbours::Status;
 
 /// A disc.
@@ -44,6 +45,8 @@ pub struct Touch {
     pub first: u32,
     /// Number of the second, or `None` at a wall.
     pub second: Option<u32>,
+    /// Place of the wall in [`Picture::walls`].
+    pub wall: Option<usize>,
 }
 
 impl Touch {
@@ -100,9 +103,9 @@ impl Picture {
         let list = world.contacts();
         for k in (0..list.len()).filter(|&k| list.status[k] != Status::Apart) {
             let (g, reaction) = (world.geometry(k), world.reaction(k));
-            let (first, second) = match list.pairs.get(k) {
-                Some(&[i, j]) => (i as usize, Some(j as usize)),
-                None => (list.walls[k - list.pairs.len()].particle as usize, None),
+            let (first, second, wall) = match world.bodies(k) {
+                (i, Other::Particle(j)) => (i, Some(j), None),
+                (i, Other::Wall(w)) => (i, None, Some(w)),
             };
             let from = world.position(first);
             let to = [0, 1].map(|axis| from[axis] + g.distance * g.e[axis]);
@@ -116,6 +119,7 @@ impl Picture {
                 sliding: reaction.sliding,
                 first: particles.id[first],
                 second: second.map(|j| particles.id[j]),
+                wall,
             });
         }
         let [low, high] = picture.bounds;

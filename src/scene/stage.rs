@@ -129,6 +129,9 @@ fn belongs(command: Command, text: &str) -> Result<Command, Mistake> {
         }
         Command::History(HistoryChange::Columns(_)) => "name them in [history] columns",
         Command::Export(Export::History, _) => "`ballast run PRESET --csv FILE` writes the history",
+        Command::Export(Export::Contact(_), _) => {
+            "type it, or send it to `ballast PRESET --plain`; `inspect contact` itself may stand here"
+        }
         Command::Export(..) => "[dump] writes tables in the course of a run",
         _ => return Ok(command),
     };

@@ -71,6 +71,9 @@ impl Session {
             self.dump(false)?;
         }
         self.world.cycle()?;
+        if let Some(follower) = &mut self.follower {
+            follower.take(&self.world);
+        }
         assert!(
             self.panic_at != Some(self.world.cycle_number()),
             "asked to panic here"

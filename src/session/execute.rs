@@ -1,8 +1,8 @@
 //! Carrying out a command: the only way anything changes a world.
 
 use super::course::Errand;
-use super::{Refusal, Session, change, inspect, print};
-use crate::language::command::{Goal, HistoryChange, Printout};
+use super::{Refusal, Session, change, print};
+use crate::language::command::{Export, Goal, HistoryChange, Printout};
 use crate::language::{COMMANDS, Command, Known};
 use crate::measure::reference::Reference;
 use crate::record::journal::EventKind;
@@ -144,10 +144,8 @@ impl Session {
                 })
             }
             Command::Print(what) => Ok(self.print(what)),
-            Command::InspectContact(i, partner) => Ok(Reply {
-                lines: inspect::contact(&mut self.world, *i, partner),
-                request: None,
-            }),
+            Command::InspectContact(i, partner) => Ok(self.inspect(*i, partner)),
+            Command::InspectOff => Ok(self.follow_none()),
             Command::History(change) => self.change_history(change),
             Command::Reference => {
                 self.reference = Reference::of(&self.world);
@@ -156,6 +154,7 @@ impl Session {
                     self.reference.cycle
                 )))
             }
+            Command::Export(Export::Contact(what), file) => self.export_contact(*what, file),
             Command::Save(_)
             | Command::Restore(_)
             | Command::Export(..)

@@ -4,6 +4,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use super::Session;
+use super::inspect::Inspection;
 use crate::engine::ledger::{Bookings, Energies};
 use crate::engine::world::FraccMonitor;
 use crate::language::Observable;
@@ -104,6 +105,8 @@ pub struct Frame {
     pub energies: Option<Energies>,
     /// Losses and work, if wanted and booked.
     pub bookings: Option<Bookings>,
+    /// The contact that is followed, if one is.
+    pub contact: Option<Inspection>,
     /// Directions of contact normals in the first region, if wanted.
     pub directions: Option<(Rose, Fabric)>,
     /// All measures of the first region, if wanted.
@@ -216,6 +219,7 @@ impl Session {
             picture,
             energies,
             bookings,
+            contact: self.inspection(),
             directions,
             survey,
             polygon,

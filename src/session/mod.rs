@@ -13,7 +13,7 @@ mod execute;
 pub mod figure;
 mod files;
 pub mod frames;
-mod inspect;
+pub mod inspect;
 mod opening;
 mod print;
 mod recording;
@@ -60,6 +60,8 @@ pub struct Session {
     notices: Vec<String>,
     /// Whether PRINT BALLS and PRINT CONTACTS show only largest, smallest and mean.
     averages_only: bool,
+    /// Follows the contact that is inspected.
+    follower: Option<inspect::Follower>,
     /// State that displacements are measured from.
     reference: Reference,
     /// Cycle and checkpoint of a good state, for a run that goes wrong.

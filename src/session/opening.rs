@@ -50,6 +50,7 @@ impl Session {
             journal_file: None,
             notices: Vec::new(),
             averages_only: false,
+            follower: None,
             reference,
             safe: None,
             safe_due: None,

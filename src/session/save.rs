@@ -155,6 +155,7 @@ impl Session {
             journal_file: None,
             notices: Vec::new(),
             averages_only,
+            follower: None,
             reference,
             safe: None,
             safe_due: None,
@@ -198,6 +199,7 @@ impl Session {
         self.averages_only = session.averages_only;
         self.reference = session.reference;
         self.dumped = session.dumped;
+        self.follow_anew();
         self.rewrite_history(&shown)?;
         self.keep_safe();
         Ok(())

@@ -13,6 +13,7 @@ use std::time::{Duration, Instant};
 
 use super::frames::{Frame, Shown, Wants};
 use super::{Budget, Progress, Refusal, Reply, Request, RunError, Session};
+use crate::measure::columns::Partner;
 
 /// Length of a batch: short enough to answer keys at once.
 const BATCH: Duration = Duration::from_millis(5);
@@ -35,6 +36,8 @@ pub enum Order {
     Toggle,
     /// Cycles up to the next row of the history.
     Row,
+    /// Follow a contact: the lower particle number and its partner.
+    Follow(u32, Partner),
     /// Which parts of frames are wanted.
     Wants(Wants),
     /// At most so many cycles per second; `None`: as fast as possible.
@@ -256,6 +259,7 @@ impl Desk {
                 let rest = every - self.session.world().cycle_number() % every;
                 self.execute(format!("cycle {rest}"));
             }
+            Order::Follow(i, partner) => self.session.follow(i, &partner),
             Order::Wants(wants) => self.wants = wants,
             Order::Pace(pace) => {
                 self.pace = pace;

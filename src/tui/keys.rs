@@ -41,6 +41,8 @@ pub enum Action {
     Chart(isize),
     /// Another disc selected.
     Select(isize),
+    /// Another contact followed.
+    Contact(isize),
     /// Force bars: none, force, tangential.
     Chains,
     /// Outlines of discs.
@@ -303,6 +305,18 @@ pub const KEYS: &[Key] = &[
         "N",
         "select the disc before",
         Action::Select(-1),
+    ),
+    key(
+        press!(KeyCode::Char('i')),
+        "i",
+        "follow the next contact, of the selected disc if there is one",
+        Action::Contact(1),
+    ),
+    key(
+        press!(KeyCode::Char('I')),
+        "I",
+        "follow the contact before",
+        Action::Contact(-1),
     ),
     key(
         press!(KeyCode::Char('f')),

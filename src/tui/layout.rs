@@ -47,8 +47,9 @@ pub fn class(width: u16, height: u16) -> Class {
     }
 }
 
-/// Arranges a screen; `zoomed` is the one pane that fills it.
-pub fn arrange(area: Rect, zoomed: Option<PaneId>) -> Arrangement {
+/// Arranges a screen; `zoomed` is the one pane that fills it. A contact that is followed takes the
+/// place of the last chart.
+pub fn arrange(area: Rect, zoomed: Option<PaneId>, follows: bool) -> Arrangement {
     let class = class(area.width, area.height);
     let line = |y: u16| {
         let inside = y < area.height;
@@ -93,12 +94,19 @@ pub fn arrange(area: Rect, zoomed: Option<PaneId>) -> Arrangement {
         Constraint::Length(1),
     ])
     .areas(area);
-    let panes = match (zoomed, class) {
+    let mut panes = match (zoomed, class) {
         (Some(pane), _) => vec![(pane, body)],
         (None, Class::Compact) => compact(body),
         (None, Class::Normal) => normal(body),
         (None, _) => wide(body),
     };
+    let is_chart = |(id, _): &(PaneId, Rect)| matches!(id, PaneId::Chart(_));
+    if follows
+        && zoomed.is_none()
+        && let Some(last) = panes.iter().rposition(is_chart)
+    {
+        panes[last].0 = PaneId::Contact;
+    }
     Arrangement {
         class,
         status,
@@ -190,9 +198,13 @@ mod tests {
 
     proptest! {
         #[test]
-        fn nothing_overlaps_or_leaves_the_screen(width in 0u16..220, height in 0u16..70) {
+        fn nothing_overlaps_or_leaves_the_screen(
+            width in 0u16..220,
+            height in 0u16..70,
+            follows in any::<bool>(),
+        ) {
             let area = Rect::new(0, 0, width, height);
-            let a = arrange(area, None);
+            let a = arrange(area, None, follows);
             let mut rects: Vec<Rect> = a.panes.iter().map(|(_, rect)| *rect).collect();
             rects.extend([a.status, a.last, a.prompt, a.hints]);
             rects.retain(|rect| !rect.is_empty());

@@ -14,6 +14,7 @@ pub mod look;
 pub mod painter;
 pub mod panes;
 pub mod plain;
+pub mod plot;
 pub mod prompt;
 pub mod scale;
 pub mod series;

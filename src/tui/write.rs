@@ -87,6 +87,18 @@ impl<'a> Lines<'a> {
     }
 }
 
+/// As many parts of a title, set off by two blanks, as have room in so many columns.
+pub fn fitting(title: &str, room: usize) -> &str {
+    let mut text = title;
+    while text.chars().count() > room {
+        match text.rsplit_once("  ") {
+            Some((shorter, _)) => text = shorter.trim_end(),
+            None => break,
+        }
+    }
+    text
+}
+
 /// A text in lines of so many columns, broken at blanks where there are any.
 pub fn wrapped(text: &str, width: usize) -> Vec<String> {
     let width = width.max(1);
@@ -145,5 +157,14 @@ mod tests {
         assert_eq!(shown(&look, "1.2 µm"), "1.2 ?m");
         assert_eq!(gauge(&look, 0.5, 4), "##..");
         assert_eq!(gauge(&look, f64::NAN, 2), "..");
+    }
+
+    #[test]
+    fn titles_lose_their_last_parts() {
+        let title = "kinetic [J] 0.1  translational  energy";
+        assert_eq!(fitting(title, 74), title);
+        assert_eq!(fitting(title, 34), "kinetic [J] 0.1  translational");
+        assert_eq!(fitting(title, 16), "kinetic [J] 0.1");
+        assert_eq!(fitting(title, 0), "kinetic [J] 0.1");
     }
 }

@@ -2,8 +2,8 @@
 
 use ballast::engine::setup::Gravity;
 use ballast::language::command::{
-    Create, Damper, DumpOf, Export, FrictionOf, Goal, HistoryChange, Measure, ParticleChange,
-    ParticleRange, Printout, Property, Solve, WallChange,
+    ContactFile, Create, Damper, DumpOf, Export, FrictionOf, Goal, HistoryChange, Measure,
+    ParticleChange, ParticleRange, Printout, Property, Solve, WallChange,
 };
 use ballast::language::{COMMANDS, Command, Expression, Known, Observable};
 use ballast::measure::columns::{CONTACT, Column, PARTICLE, Partner, Read, Row, WALL, assembly};
@@ -219,6 +219,7 @@ fn about_records() -> impl Strategy<Value = Command> {
         text().prop_map(Command::Save),
         text().prop_map(Command::Restore),
         (export(), text()).prop_map(|(what, file)| Command::Export(what, file)),
+        Just(Command::InspectOff),
         text().prop_map(Command::Journal),
         text().prop_map(Command::Source),
         prop::option::of(prop::sample::select(verbs)).prop_map(Command::Help),
@@ -228,11 +229,17 @@ fn about_records() -> impl Strategy<Value = Command> {
 
 fn export() -> impl Strategy<Value = Export> {
     let profile = (prop::option::of(wall()), prop::option::of(1..10_000_u64));
+    let of_contact = [
+        ContactFile::Path,
+        ContactFile::Traction,
+        ContactFile::Picture,
+    ];
     prop_oneof![
         Just(Export::History),
         Just(Export::All(DumpOf::Particles)),
         Just(Export::All(DumpOf::Contacts)),
         profile.prop_map(|(region, rings)| Export::Profile(region, rings)),
+        prop::sample::select(of_contact.to_vec()).prop_map(Export::Contact),
     ]
 }
 

@@ -3,14 +3,15 @@
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use proptest::prelude::*;
 
+use ballast::engine::contact::inner::Inner;
 use ballast::measure::frame::Picture;
 use ballast::session::frames::Frame;
 use ballast::tui::app::{App, Overlay, Said, Warning};
 use ballast::tui::look::{Chains, Look, Points, Theme};
-use ballast::tui::panes::PANES;
+use ballast::tui::panes::{PANES, PaneId};
 
 use crate::drawn;
-use crate::example::{empty, frame};
+use crate::example::{contact, empty, frame};
 
 /// Numbers that go wrong where anything can.
 const ODD: [f64; 8] = [
@@ -28,7 +29,7 @@ const ODD: [f64; 8] = [
 fn frame_of(kind: u8, odd: f64) -> Frame {
     let mut frame = frame();
     match kind {
-        0 => {}
+        0 => frame.contact = Some(contact()),
         1 => {
             frame.picture = Picture::default();
             frame.directions = None;
@@ -61,6 +62,16 @@ fn spoil(frame: &mut Frame, odd: f64) {
         fabric.plain[(0, 1)] = odd;
         fabric.weighted[(0, 0)] = odd;
     }
+    let mut followed = contact();
+    for moment in followed.trace.iter_mut().step_by(3) {
+        (moment.alpha, moment.t) = (odd, odd);
+    }
+    if let Some(traction) = &mut followed.traction {
+        traction.steps[1] = (odd, odd);
+    }
+    followed.friction = odd;
+    followed.numbers.push(Inner::number("Größe", odd, "m"));
+    frame.contact = Some(followed);
     for touch in frame.picture.touches.iter_mut().step_by(2) {
         (touch.ends, touch.length, touch.normal) = ([[odd; 2]; 2], odd, [odd; 2]);
         (touch.n, touch.t) = (odd, odd);
@@ -215,9 +226,15 @@ proptest! {
 #[test]
 fn every_small_size_is_drawn() {
     let mut app = crate::example::app(crate::example::LOOK);
+    let mut following = crate::example::app(crate::example::LOOK);
+    following.frame.as_mut().expect("it has one").contact = Some(contact());
     for height in 0..=30 {
         for width in 0..=90 {
             drawn(&mut app, width, height);
+            following.zoomed = None;
+            drawn(&mut following, width, height);
+            following.zoomed = Some(PaneId::Contact);
+            drawn(&mut following, width, height);
         }
     }
 }

@@ -5,6 +5,8 @@ use ballast::measure::rose::{PETALS, Rose};
 use nalgebra::{Matrix2, Vector2};
 use std::sync::Arc;
 
+use ballast::engine::contact::inner::Inner;
+use ballast::engine::contact::traction::Traction;
 use ballast::engine::ledger::{Bookings, Energies};
 use ballast::engine::world::FraccMonitor;
 use ballast::language::Observable;
@@ -12,6 +14,7 @@ use ballast::measure::assembly::Assembly;
 use ballast::measure::columns::Column;
 use ballast::measure::frame::{Disc, Picture, Stroke, Touch};
 use ballast::session::frames::{ChartRow, Frame};
+use ballast::session::inspect::{Inspection, Moment};
 use ballast::tui::app::{App, Said};
 use ballast::tui::link::{Line, Link};
 use ballast::tui::look::{Chains, Look, Points, Theme};
@@ -133,6 +136,7 @@ pub(crate) fn frame() -> Frame {
             last: Some((14_311, 5, 0.347)),
             worst: Some((14_200, 6, 0.391)),
         },
+        contact: None,
         directions: Some(directions(&picture())),
         picture: picture(),
         energies: Some(Energies {
@@ -159,6 +163,73 @@ pub(crate) fn frame() -> Frame {
         friction: vec![("disc".into(), 0.3)],
         every: 100,
         known: Arc::default(),
+    }
+}
+
+/// A contact of exact partial slip that was pressed, sheared to 0.7 μN and back to -0.2 μN: closed
+/// forms of Mindlin & Deresiewicz (1953).
+pub(crate) fn contact() -> Inspection {
+    let (friction, n) = (0.3, 20.0);
+    let limit = friction * n;
+    let mut trace: Vec<Moment> = Vec::new();
+    let mut add = |alpha: f64, delta: f64, n: f64, t: f64| {
+        let cycle = 14_000 + 10 * trace.len() as u64;
+        trace.push(Moment {
+            cycle,
+            time: 1e-5 * cycle as f64,
+            touch: 1,
+            alpha,
+            delta,
+            n,
+            t,
+        });
+    };
+    for k in 1..=20 {
+        let share: f64 = f64::from(k) / 20.0;
+        add(1e-6 * share, 0.0, n * share * share.sqrt(), 0.0);
+    }
+    // Displacement in units of the one at which all slides.
+    let way = |t: f64| 1.0 - (1.0 - t).powf(2.0 / 3.0);
+    let slide = 3.6e-7;
+    for k in 1..=20 {
+        let t = 0.7 * f64::from(k) / 20.0;
+        add(1e-6, slide * way(t), n, limit * t);
+    }
+    for k in 1..=30 {
+        let back = 0.9 * f64::from(k) / 30.0;
+        let delta = way(0.7) - 2.0 * way(0.5 * back);
+        add(1e-6, slide * delta, n, limit * (0.7 - back));
+    }
+    let ring = |force: f64| (1.0 - force).powf(2.0 / 3.0);
+    let steps = vec![
+        (1e-6 * ring(0.7), 0.0),
+        (1e-6 * ring(0.45), 1.0),
+        (1e-6, -1.0),
+    ];
+    let traction = Traction { steps, friction };
+    let c = traction.stick_ratio();
+    Inspection {
+        name: "2-floor".into(),
+        law: "mindlin-deresiewicz-exact",
+        state: "touches",
+        friction,
+        cohesion: 0.0,
+        radius: 2.2e-5,
+        peak: 2.0e10,
+        traction: Some(traction),
+        numbers: vec![
+            Inner::number("N", n, "N"),
+            Inner::number("T", -0.2 * limit, "N"),
+            Inner::number("|T|/(mu N)", 0.2, "-"),
+            Inner::number("alpha/D_min", 0.09, "> 7 %"),
+            Inner::number("radius a", 2.2e-5, "m"),
+            Inner::number("c/a", c, "-"),
+            Inner::number("nodes in memory", 3.0, "-"),
+            Inner::word("branch", "unloading"),
+            Inner::number("lost: slip", 1.4e-9, "J"),
+        ],
+        since: (14_000, 10),
+        trace,
     }
 }
 
@@ -233,6 +304,7 @@ fn picture() -> Picture {
                 sliding: n < 2.0,
                 first: first as u32,
                 second: Some(second as u32),
+                wall: None,
             }
         })
         .collect();
@@ -247,6 +319,7 @@ fn picture() -> Picture {
             sliding: false,
             first: first as u32,
             second: None,
+            wall: Some(0),
         });
     }
     let wall = |name: &str, ends| Stroke {

@@ -4,7 +4,7 @@ use ballast::tui::app::{App, Overlay, Said};
 use ballast::tui::look::{Chains, Points, Theme};
 use ballast::tui::panes::{PANES, PaneId};
 
-use crate::example::{LOOK, app, empty};
+use crate::example::{LOOK, app, contact, empty};
 use crate::{drawn, text};
 
 const SIZES: [(u16, u16); 3] = [(80, 24), (120, 40), (200, 60)];
@@ -72,6 +72,56 @@ fn assembly_in_its_variants() {
         change(&mut app);
         compare(&format!("assembly_{name}"), app, (80, 24));
     }
+}
+
+#[test]
+fn a_contact_that_is_followed() {
+    let enlarged = |app: &mut App| {
+        set(app, |frame| frame.contact = Some(contact()));
+        app.zoomed = Some(PaneId::Contact);
+    };
+    for size in SIZES {
+        let mut followed = app(LOOK);
+        enlarged(&mut followed);
+        compare("contact_followed", followed, size);
+        let mut beside = app(LOOK);
+        set(&mut beside, |frame| frame.contact = Some(contact()));
+        compare("contact_beside", beside, size);
+    }
+    let variants: [Variant; 4] = [
+        ("ascii", |app| app.look.points = Points::Ascii),
+        ("apart", |app| {
+            set_contact(app, |contact| {
+                contact.state = "apart";
+                contact.traction = None;
+                contact.numbers.clear();
+            });
+        }),
+        ("slides", |app| {
+            set_contact(app, |contact| {
+                contact.state = "slides";
+                let traction = contact.traction.as_mut().expect("it has one");
+                traction.steps = vec![(1e-6, 1.0)];
+            });
+        }),
+        ("linear", |app| {
+            set_contact(app, |contact| {
+                (contact.law, contact.traction) = ("linear", None);
+            });
+        }),
+    ];
+    for (name, change) in variants {
+        let mut app = app(LOOK);
+        enlarged(&mut app);
+        change(&mut app);
+        compare(&format!("contact_{name}"), app, (80, 24));
+    }
+}
+
+fn set_contact(app: &mut App, change: impl FnOnce(&mut ballast::session::inspect::Inspection)) {
+    set(app, |frame| {
+        change(frame.contact.as_mut().expect("it is followed"));
+    });
 }
 
 #[test]

@@ -4,6 +4,7 @@ use super::card::{Card, FRICTION, POISSON, Slip, YOUNG};
 use super::dashpot::Following;
 use super::diagram::{Diagram, Partial};
 use super::hertz::{self, Hertz};
+use super::inner::Inner;
 use super::linear::Frictionless;
 use super::memory::Memory;
 use super::parts::Tangential;
@@ -131,5 +132,9 @@ impl<const M: usize> Tangential for ExactShear<M> {
             steps: self.partial.shares(memory),
             friction: self.friction,
         })
+    }
+
+    fn inner(&self, _: f64, memory: &Diagram<M>) -> Vec<Inner> {
+        vec![Inner::number("nodes in memory", memory.len() as f64, "-")]
     }
 }

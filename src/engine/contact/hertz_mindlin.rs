@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use super::card::{COHESION, Card, FRICTION, POISSON, Slip, YOUNG};
 use super::history::{follow, stored};
+use super::inner::Inner;
 use super::memory::Memory;
 use super::parts::Tangential;
 use super::quantities::{Basis, Load, Shear, Touch};
@@ -114,5 +115,9 @@ impl<const KEEP: bool> Tangential for HertzMindlin<KEEP> {
 
     fn is_frictional(&self) -> bool {
         self.friction > 0.0 || self.cohesion > 0.0
+    }
+
+    fn inner(&self, _: f64, memory: &HeldShear) -> Vec<Inner> {
+        vec![Inner::number("held at stiffness", memory.stiffness, "N/m")]
     }
 }

@@ -15,6 +15,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::inner::Inner;
 use super::memory::Memory;
 use super::parts::Normal;
 use super::quantities::{Basis, Touch};
@@ -107,6 +108,13 @@ impl Normal for IncrementalHertz {
 
     fn seed(&self, force: f64) -> SummedHertz {
         SummedHertz::new(force)
+    }
+
+    fn inner(&self, _: f64, memory: &SummedHertz) -> Vec<Inner> {
+        vec![
+            Inner::number("normal force summed", memory.0, "N"),
+            Inner::number("overlap of that force", self.depth(memory), "m"),
+        ]
     }
 
     fn overlap(&self, _: f64, memory: &SummedHertz) -> f64 {

@@ -1,5 +1,6 @@
 //! A law as the loop runs it, put together from its parts at compile time.
 
+use super::inner::Inner;
 use super::memory::Memory;
 use super::parts::{Normal, Rolling, Tangential, Viscosity};
 use super::quantities::{Basis, Load, Reaction, Stiffness, Touch};
@@ -33,6 +34,8 @@ pub trait Law: Copy + Send + Sync + 'static {
     fn is_frictional(&self) -> bool;
     /// The traction inside the contact, if the law knows it.
     fn traction(&self, memory: &Self::Memory) -> Option<Traction>;
+    /// What the memory holds, for people.
+    fn inner(&self, overlap: f64, memory: &Self::Memory) -> Vec<Inner>;
 }
 
 /// A law put together from its parts.
@@ -159,5 +162,12 @@ impl<N: Normal, T: Tangential, R: Rolling, D: Viscosity> Law for Contact<N, T, R
 
     fn traction(&self, memory: &Self::Memory) -> Option<Traction> {
         self.tangential.traction(&memory.1)
+    }
+
+    fn inner(&self, overlap: f64, memory: &Self::Memory) -> Vec<Inner> {
+        let mut inner = self.normal.inner(overlap, &memory.0);
+        inner.extend(self.tangential.inner(overlap, &memory.1));
+        inner.extend(self.rolling.inner(overlap, &memory.2));
+        inner
     }
 }

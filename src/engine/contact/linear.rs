@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::card::{COHESION, Card, FRICTION, NORMAL, SHEAR, Slip};
 use super::dashpot::Constant;
+use super::inner::Inner;
 use super::memory::Memory;
 use super::parts::{Normal, Tangential};
 use super::pass::ContactPass;
@@ -131,6 +132,10 @@ impl Normal for IncrementalNormal {
 
     fn seed(&self, force: f64) -> SummedNormal {
         SummedNormal(force)
+    }
+
+    fn inner(&self, _: f64, memory: &SummedNormal) -> Vec<Inner> {
+        vec![Inner::number("normal force summed", memory.0, "N")]
     }
 }
 

@@ -1,9 +1,11 @@
 //! Randall's tangential law as a part of a contact: partial slip with two reversals remembered.
 
 use super::card::{Card, FRICTION, POISSON, Slip, YOUNG};
+use super::inner::Inner;
 use super::memory::Memory;
 use super::parts::Tangential;
 use super::quantities::{Basis, Load, Shear, Touch};
+use super::traction::Traction;
 use super::two_reversals::{Reversals, TwoReversals, WORST_GAIN};
 
 /// Row in the list.
@@ -93,5 +95,25 @@ impl Tangential for ReversalShear {
 
     fn is_frictional(&self) -> bool {
         self.friction > 0.0
+    }
+
+    fn traction(&self, memory: &Reversals) -> Option<Traction> {
+        Some(Traction {
+            steps: self.law.shares(memory),
+            friction: self.friction,
+        })
+    }
+
+    fn inner(&self, _: f64, memory: &Reversals) -> Vec<Inner> {
+        let mut inner = vec![Inner::word("branch", memory.branch().name())];
+        let [first, second] = memory.turning_points();
+        let points = [("reversal T*", first), ("reversal T**", second)];
+        inner.extend(points.map(|(name, force)| {
+            force.map_or(Inner::word(name, "none"), |f| Inner::number(name, f, "N"))
+        }));
+        let stiffness = self.law.stiffness(memory);
+        inner.push(Inner::number("shortfall DD", memory.shortfall(), "m"));
+        inner.push(Inner::number("tangent k_t", stiffness, "N/m"));
+        inner
     }
 }

@@ -14,6 +14,7 @@ pub mod hertz;
 pub mod hertz_mindlin;
 mod history;
 pub mod incremental_hertz;
+pub mod inner;
 pub mod law;
 pub mod laws;
 pub mod linear;

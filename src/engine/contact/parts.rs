@@ -1,5 +1,6 @@
 //! The parts a contact is put together from; each law's file implements some of these.
 
+use super::inner::Inner;
 use super::memory::Memory;
 use super::quantities::{Basis, Load, Roll, Shear, Touch};
 use super::traction::Traction;
@@ -25,6 +26,10 @@ pub trait Normal: Copy + Send + Sync + 'static {
     }
     /// Memory that carries a force, as far as it is free to [N].
     fn seed(&self, force: f64) -> Self::Memory;
+    /// What its memory holds, for people; `overlap` [m] as the law is given it.
+    fn inner(&self, _overlap: f64, _memory: &Self::Memory) -> Vec<Inner> {
+        Vec::new()
+    }
 }
 
 /// Tangential part of a law.
@@ -58,6 +63,10 @@ pub trait Tangential: Copy + Send + Sync + 'static {
     fn traction(&self, _memory: &Self::Memory) -> Option<Traction> {
         None
     }
+    /// What its memory holds, for people; `overlap` [m] as the law is given it.
+    fn inner(&self, _overlap: f64, _memory: &Self::Memory) -> Vec<Inner> {
+        Vec::new()
+    }
 }
 
 /// Resistance to rolling.
@@ -78,6 +87,10 @@ pub trait Rolling: Copy + Send + Sync + 'static {
     fn refit(&self, _before: &Self, memory: &Self::Memory) -> Self::Memory;
     /// The contact comes apart while the bodies turn by this angle: the energy lost [J].
     fn part(&self, angle: f64, memory: &Self::Memory) -> f64;
+    /// What its memory holds, for people; `overlap` [m] as the law is given it.
+    fn inner(&self, _overlap: f64, _memory: &Self::Memory) -> Vec<Inner> {
+        Vec::new()
+    }
 }
 
 /// Dashpots of a law.

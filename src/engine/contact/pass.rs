@@ -7,6 +7,7 @@
 use std::any::Any;
 
 pub use super::book::Book;
+use super::inner::Inner;
 use super::law::Law;
 use super::memory::Memory;
 use super::quantities::{BasisOwned, Stiffness, Touch};
@@ -67,6 +68,8 @@ pub trait ContactPass: Send + Sync {
     fn take_over(&mut self, before: &dyn ContactPass, overlap: &dyn Fn(usize) -> f64);
     /// The traction inside a contact, if the law knows it.
     fn traction(&self, k: usize) -> Option<Traction>;
+    /// What the memory of a contact with this overlap holds, for people.
+    fn inner(&self, k: usize, overlap: f64) -> Vec<Inner>;
     /// For [`ContactPass::take_over`].
     fn as_any(&self) -> &dyn Any;
     /// Bookings of a contact; zero when none are kept.
@@ -408,6 +411,10 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
 
     fn traction(&self, k: usize) -> Option<Traction> {
         self.laws[k].traction(&self.memory[k])
+    }
+
+    fn inner(&self, k: usize, overlap: f64) -> Vec<Inner> {
+        self.laws[k].inner(overlap, &self.memory[k])
     }
 
     fn as_any(&self) -> &dyn Any {

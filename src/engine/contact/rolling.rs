@@ -7,6 +7,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::history::{follow, stored};
+use super::inner::Inner;
 use super::memory::Memory;
 use super::parts::Rolling;
 use super::quantities::{Basis, Load, Roll, Touch};
@@ -122,5 +123,9 @@ impl Rolling for RollingSpring {
 
     fn part(&self, angle: f64, memory: &HeldMoment) -> f64 {
         self.energy(memory) + 0.5 * memory.moment * angle
+    }
+
+    fn inner(&self, _: f64, memory: &HeldMoment) -> Vec<Inner> {
+        vec![Inner::number("rolling moment", memory.moment, "N m")]
     }
 }

@@ -1,5 +1,8 @@
 //! The tangential traction inside a contact, for people: what an inspector draws.
 
+/// Traction below the friction limit by this share of it is at the limit up to rounding.
+const ROUNDING: f64 = 1e-9;
+
 /// Traction of Hertz distributions laid over each other: q(r) = Σ weight · p(r; overlap), with
 /// p(r; overlap) the Hertz pressure at that overlap (Ciavarella 1998, Jäger 1998).
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -48,6 +51,30 @@ impl Traction {
         sum
     }
 
+    /// Tangential force in units of μ N: the traction summed over the contact.
+    pub fn force(&self) -> f64 {
+        let mut inner = 0.0;
+        let mut sum = 0.0;
+        for (radius, &(_, share)) in self.radii().iter().zip(&self.steps) {
+            let outer = radius * radius * radius;
+            sum += share * (outer - inner);
+            inner = outer;
+        }
+        sum
+    }
+
+    /// c/a: radius of the part that sticks over that of the contact; 0 while the whole contact is
+    /// at the friction limit, 1 while nothing is.
+    pub fn stick_ratio(&self) -> f64 {
+        let Some((_, outermost)) = self.steps.last() else {
+            return 1.0;
+        };
+        let radii = self.radii();
+        let at_limit = |share: f64| share * outermost.signum() >= 1.0 - ROUNDING;
+        let stuck = self.steps.iter().rposition(|&(_, share)| !at_limit(share));
+        stuck.map_or(0.0, |k| radii[k])
+    }
+
     /// Normal pressure at r/a in units of p0.
     pub fn pressure(r: f64) -> f64 {
         (1.0 - r * r).max(0.0).sqrt()
@@ -58,9 +85,9 @@ impl Traction {
         let limit = Self::pressure(r);
         let q = self.at(r);
         // The traction of a slip annulus is a sum of roots: equal to the limit up to rounding.
-        if q >= limit * (1.0 - 1e-9) {
+        if q >= limit * (1.0 - ROUNDING) {
             Zone::SlipForward
-        } else if q <= -limit * (1.0 - 1e-9) {
+        } else if q <= -limit * (1.0 - ROUNDING) {
             Zone::SlipBackward
         } else {
             Zone::Stick
@@ -92,5 +119,25 @@ mod tests {
             };
             assert_eq!(traction.zone(r), zone, "{r}");
         }
+        assert_eq!(traction.stick_ratio(), c);
+        // T/(μN) = 1 - (c/a)³ (Cattaneo 1938).
+        assert!((traction.force() - (1.0 - c * c * c)).abs() < 1e-15);
+    }
+
+    /// Nothing slips, everything slides, and an older slip that the newest has turned back.
+    #[test]
+    fn the_part_that_sticks() {
+        let ratio = |steps: &[(f64, f64)]| {
+            let traction = Traction {
+                steps: steps.to_vec(),
+                friction: 0.3,
+            };
+            traction.stick_ratio()
+        };
+        assert_eq!(ratio(&[]), 1.0);
+        assert_eq!(ratio(&[(1.0, 0.9)]), 1.0);
+        assert_eq!(ratio(&[(1.0, -1.0)]), 0.0);
+        assert_eq!(ratio(&[(0.25, 0.0), (0.64, 1.0), (1.0, -1.0)]), 0.8);
+        assert_eq!(ratio(&[(0.25, 0.0), (0.64, -1.0), (1.0, -1.0)]), 0.5);
     }
 }

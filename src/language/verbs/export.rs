@@ -11,14 +11,19 @@ use std::fmt;
 pub const CARD: Card = Card {
     name: "export",
     aliases: &[],
-    usage: "export csv FILE | particles FILE | contacts FILE | profile FILE [REGION] [RINGS]",
-    summary: "writes the history recorded so far, or a table of what there is now",
-    detail: "All are CSV: one header row, then a row for each sample, particle, contact or ring, in \
-             SI units.",
+    usage: "export csv FILE | particles FILE | contacts FILE | profile FILE [REGION] [RINGS] | \
+            path FILE | traction FILE | svg contact FILE",
+    summary: "writes the history recorded so far, a table of what there is now, or the contact that \
+              is followed",
+    detail: "All but svg are CSV: one header row, then a row for each sample, particle, contact or \
+             ring, in SI units. Of the contact that `inspect` follows, path is overlap, displacement \
+             and forces, traction the tangential traction over the radius now, svg a picture of both.",
     examples: &[
         "export csv shear.csv",
         "export contacts now.csv",
         "export profile rings.csv core 20",
+        "export path loop.csv",
+        "export svg contact loop.svg",
     ],
     parse,
     changes_world: false,
@@ -33,6 +38,19 @@ pub enum Export {
     All(DumpOf),
     /// Porosity by distance from the middle of a region, in so many rings.
     Profile(Option<String>, Option<u64>),
+    /// The contact that is followed.
+    Contact(ContactFile),
+}
+
+/// What of the contact that is followed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ContactFile {
+    /// Overlap, displacement and forces.
+    Path,
+    /// Traction over the radius.
+    Traction,
+    /// Both as a picture.
+    Picture,
 }
 
 /// Tables of everything at one moment.
@@ -65,7 +83,18 @@ impl fmt::Display for DumpOf {
 }
 
 fn parse(words: &mut Words<'_>) -> Result<Command, Mistake> {
-    let what = words.keyword(&["csv", "particles", "contacts", "profile"])?;
+    let what = words.keyword(&[
+        "csv",
+        "particles",
+        "contacts",
+        "profile",
+        "path",
+        "traction",
+        "svg",
+    ])?;
+    if what == "svg" {
+        words.keyword(&["contact"])?;
+    }
     let file = words.file()?;
     let what = match what {
         "csv" => Export::History,
@@ -73,6 +102,9 @@ fn parse(words: &mut Words<'_>) -> Result<Command, Mistake> {
             let (region, rings) = profile(words)?;
             Export::Profile(region, rings)
         }
+        "path" => Export::Contact(ContactFile::Path),
+        "traction" => Export::Contact(ContactFile::Traction),
+        "svg" => Export::Contact(ContactFile::Picture),
         word => Export::All(DumpOf::of(word)),
     };
     Ok(Command::Export(what, file))
@@ -84,6 +116,9 @@ pub(crate) fn line(what: &Export, file: &str) -> String {
     match what {
         Export::History => format!("csv {file}"),
         Export::All(of) => format!("{of} {file}"),
+        Export::Contact(ContactFile::Path) => format!("path {file}"),
+        Export::Contact(ContactFile::Traction) => format!("traction {file}"),
+        Export::Contact(ContactFile::Picture) => format!("svg contact {file}"),
         Export::Profile(region, rings) => {
             format!("profile {file}{}", profile_words(region.as_ref(), *rings))
         }

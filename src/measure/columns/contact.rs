@@ -2,7 +2,7 @@
 
 use super::card::Row;
 use crate::engine::World;
-use crate::measure::contact_area::ContactArea;
+use crate::measure::contact_area::{ContactArea, obliquity, peak_pressure, stick_ratio};
 
 /// How a column of a contact is read, from its place in the list of contacts.
 pub type ReadContact = fn(&World, usize) -> f64;
@@ -21,7 +21,16 @@ fn stress(world: &World, k: usize) -> [f64; 2] {
     ContactArea::of(world, k).stress(reaction.normal, reaction.tangential)
 }
 
-/// All of them. An absent contact carries nothing: 0.
+/// A loss since first touch, out of those the books keep: sliding, slip within, dashpots [J].
+fn lost(world: &World, k: usize, which: &[usize]) -> f64 {
+    if world.ledger().is_none() {
+        return f64::NAN;
+    }
+    let book = world.pass().book(k);
+    which.iter().map(|&loss| book.lost[loss]).sum()
+}
+
+/// All of them. An absent contact carries nothing: 0. What a law does not know is NaN.
 pub const CONTACT: &[Row<ReadContact>] = &[
     row(
         "n",
@@ -57,4 +66,38 @@ pub const CONTACT: &[Row<ReadContact>] = &[
         "mean tangential stress on the contact area",
         |world, k| stress(world, k)[1],
     ),
+    row("p0", "Pa", "largest pressure of Hertz", peak_pressure),
+    row(
+        "obliquity",
+        "-",
+        "|tangential force| / (friction coefficient x normal force)",
+        obliquity,
+    ),
+    row(
+        "c_over_a",
+        "-",
+        "radius of the part that sticks / radius of the contact area, with partial slip",
+        stick_ratio,
+    ),
+    row(
+        "friction_loss",
+        "J",
+        "energy lost by sliding and by slip within since first touch",
+        |world, k| lost(world, k, &[0, 1]),
+    )
+    .booked(),
+    row(
+        "slip_loss",
+        "J",
+        "the part of it that was lost by slip within the contact",
+        |world, k| lost(world, k, &[1]),
+    )
+    .booked(),
+    row(
+        "damping_loss",
+        "J",
+        "energy lost in the dashpots since first touch",
+        |world, k| lost(world, k, &[2]),
+    )
+    .booked(),
 ];

@@ -7,11 +7,11 @@ use crate::engine::contact_report::Other;
 use crate::engine::neighbours::Status;
 use crate::engine::setup::Body;
 use crate::language::command::ParticleRange;
-use crate::measure::contact_area::ContactArea;
+use crate::measure::contact_area::{ContactArea, obliquity};
 
-/// Overlap over the smaller diameter beyond which a contact is marked: contact laws take the
-/// touching area as small (Randall 1989, 4.6).
-pub(in crate::session) const LARGE: f64 = 0.07;
+/// Overlap over the smaller diameter beyond which a contact is marked: contact laws take it as small
+/// (Randall 1989, 6.4.3, where critical damping sets in).
+pub(in crate::session) const DEEP: f64 = 0.07;
 
 /// A touching contact in numbers.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,9 +38,9 @@ pub(in crate::session) struct Carried {
     pub(in crate::session) area: ContactArea,
 }
 
-/// a/R of the smaller body beyond which a contact is marked: another threshold than [`LARGE`], and
-/// crossed far earlier (Randall 1989, 4.6).
-const WIDE: f64 = 0.07;
+/// a/R of the smaller body beyond which a contact is marked: another threshold than [`DEEP`], and
+/// crossed far earlier, by equal spheres at an overlap of 0.49 % (Randall 1989, 4.6).
+pub(in crate::session) const WIDE: f64 = 0.07;
 
 impl Carried {
     /// Listed contact k; `None` while it is apart.
@@ -52,16 +52,11 @@ impl Carried {
         let (particles, geometry) = (world.particles(), world.geometry(k));
         let reaction = world.reaction(k);
         let (i, other) = world.bodies(k);
-        let radius = particles.row[i].radius;
-        let pair = world.pair_of(k);
-        let limit = pair.friction * reaction.normal;
-        let (second, smaller) = match other {
-            Other::Particle(j) => (
-                particles.id[j].to_string(),
-                radius.min(particles.row[j].radius),
-            ),
-            Other::Wall(w) => (world.walls()[w].name.clone(), radius),
+        let second = match other {
+            Other::Particle(j) => particles.id[j].to_string(),
+            Other::Wall(w) => world.walls()[w].name.clone(),
         };
+        let (area, obliquity) = (ContactArea::of(world, k), obliquity(world, k));
         Some(Self {
             first: particles.id[i],
             second,
@@ -70,9 +65,9 @@ impl Carried {
             overlap: geometry.overlap,
             angle: direction(geometry.e),
             sliding: reaction.sliding,
-            obliquity: (limit > 0.0).then(|| reaction.tangential.abs() / limit),
-            depth: geometry.overlap / (2.0 * smaller),
-            area: ContactArea::of(world, k),
+            obliquity: (!obliquity.is_nan()).then_some(obliquity),
+            depth: geometry.overlap / (2.0 * area.smaller),
+            area,
         })
     }
 
@@ -143,7 +138,7 @@ pub(super) fn lines(world: &World, range: Option<ParticleRange>) -> Vec<String> 
         ],
     );
     for c in &chosen {
-        let mark = if c.depth > LARGE { "*" } else { "" };
+        let mark = if c.depth > DEEP { "*" } else { "" };
         table.row(vec![
             c.first.to_string(),
             name(&c.second),
@@ -157,11 +152,11 @@ pub(super) fn lines(world: &World, range: Option<ParticleRange>) -> Vec<String> 
         ]);
     }
     let mut lines = table.lines();
-    let deep = chosen.iter().filter(|c| c.depth > LARGE).count();
+    let deep = chosen.iter().filter(|c| c.depth > DEEP).count();
     if deep > 0 {
         lines.push(format!(
             "* {deep} overlap by more than {} of the smaller diameter d",
-            per_cent(LARGE)
+            per_cent(DEEP)
         ));
     }
     if has_areas(world) {
@@ -172,7 +167,7 @@ pub(super) fn lines(world: &World, range: Option<ParticleRange>) -> Vec<String> 
 }
 
 /// Whether contact areas are shown: spheres touch in circles.
-pub(super) fn has_areas(world: &World) -> bool {
+pub(in crate::session) fn has_areas(world: &World) -> bool {
     world.model().body == Body::Sphere
 }
 

@@ -13,7 +13,7 @@ mod step;
 mod walls;
 
 pub(super) use balls::prescribed;
-pub(super) use contacts::{Carried, LARGE};
+pub(super) use contacts::{Carried, DEEP, WIDE, has_areas};
 pub(super) use layout::listed;
 pub(super) use materials::dashpots;
 

@@ -6,7 +6,8 @@ use crossterm::event::{KeyCode, KeyEvent};
 
 use super::{App, Effect, Overlay, Said};
 use crate::language::Known;
-use crate::measure::columns::nearest;
+use crate::measure::columns::{Partner, nearest};
+use crate::measure::frame::Touch;
 use crate::scene::catalogue::PRESETS;
 use crate::session::worker::Order;
 use crate::tui::keys::{self, Action};
@@ -171,6 +172,7 @@ impl App {
             Action::Fit => self.view = View::default(),
             Action::Chart(by) => self.change_chart(by),
             Action::Select(by) => self.select(by),
+            Action::Contact(by) => return self.follow(by),
             Action::Chains => {
                 self.look.chains = match self.look.chains {
                     Chains::Off => Chains::Force,
@@ -253,6 +255,51 @@ impl App {
         };
         let at = self.series.position(chart).map_or(0, |at| at as isize + by);
         *chart = self.series.columns[at.rem_euclid(count) as usize].name();
+    }
+
+    /// Follows another contact: of the selected disc, or any if none is selected.
+    fn follow(&mut self, by: isize) -> Effect {
+        let Some(frame) = &self.frame else {
+            return Effect::None;
+        };
+        let wall = |touch: &Touch| {
+            let wall = frame.picture.walls.get(touch.wall?)?;
+            Some(Partner::Wall(wall.name.clone()))
+        };
+        let of_disc = |touch: &&Touch| match self.selected {
+            Some(id) => touch.first == id || touch.second == Some(id),
+            None => true,
+        };
+        let found = frame.picture.touches.iter().filter(of_disc);
+        let found = found.filter_map(|touch| {
+            let partner = touch
+                .second
+                .map(Partner::Particle)
+                .or_else(|| wall(touch))?;
+            Some((touch.first, partner))
+        });
+        let contacts: Vec<(u32, Partner)> = found.collect();
+        if contacts.is_empty() {
+            self.say(Said::Error(match self.selected {
+                Some(id) => format!("disc {id} touches nothing; n selects another"),
+                None => "nothing touches yet".to_owned(),
+            }));
+            return Effect::None;
+        }
+        let name = |(i, partner): &(u32, Partner)| match partner {
+            Partner::Particle(j) => format!("{i}-{j}"),
+            Partner::Wall(wall) => format!("{i}-{wall}"),
+        };
+        let now = frame.contact.as_ref().map(|contact| &contact.name);
+        let at = contacts
+            .iter()
+            .position(|contact| Some(&name(contact)) == now);
+        let next = match at {
+            None => 0,
+            Some(at) => (at as isize + by).rem_euclid(contacts.len() as isize) as usize,
+        };
+        let (i, partner) = contacts[next].clone();
+        Effect::Order(Order::Follow(i, partner))
     }
 
     fn select(&mut self, by: isize) {

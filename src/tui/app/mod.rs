@@ -6,6 +6,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::symbols::border;
 
+use crate::language::Command;
 use crate::session::frames::Frame;
 use crate::session::worker::{Order, Report};
 use crate::tui::layout::{self, Arrangement, Class};
@@ -141,7 +142,7 @@ impl App {
             dirty: true,
             kept_cycle: 0,
             folder: String::new(),
-            arrangement: layout::arrange(Rect::default(), None),
+            arrangement: layout::arrange(Rect::default(), None, false),
         }
     }
 
@@ -272,7 +273,12 @@ impl App {
                         {
                             self.kept_cycle = frame.cycle;
                         }
-                        self.make_room(reply.lines.len());
+                        if matches!(Command::parse(&line), Ok(Command::InspectContact(..))) {
+                            // The pane shows all that the answer says, and goes on showing it.
+                            self.zoomed = Some(PaneId::Contact);
+                        } else {
+                            self.make_room(reply.lines.len());
+                        }
                         reply
                             .lines
                             .into_iter()
@@ -302,7 +308,8 @@ impl App {
 
     /// Draws everything; answers where the cursor stands.
     pub fn draw(&mut self, area: Rect, buffer: &mut Buffer) -> Option<(u16, u16)> {
-        self.arrangement = layout::arrange(area, self.zoomed);
+        let follows = self.frame.as_ref().is_some_and(|f| f.contact.is_some());
+        self.arrangement = layout::arrange(area, self.zoomed, follows);
         let a = self.arrangement.clone();
         if self.zoomed.is_none() {
             self.focus = self.focus.min(a.panes.len().saturating_sub(1));

@@ -390,6 +390,7 @@ mod tests {
             sliding: false,
             first,
             second,
+            wall: None,
         };
         let touches = [
             touch(1, Some(2), [1.0, 0.0], 5.0, 0.0),

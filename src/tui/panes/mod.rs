@@ -2,6 +2,7 @@
 
 pub mod assembly;
 pub mod chart;
+pub mod contact;
 pub mod dialogue;
 pub mod energy;
 pub mod help;
@@ -26,6 +27,8 @@ pub enum PaneId {
     Assembly,
     /// Chart in a slot.
     Chart(usize),
+    /// The contact that is followed.
+    Contact,
     /// Rose of contact normals.
     Rose,
     /// The same, weighted by normal force.
@@ -56,6 +59,7 @@ pub struct Pane {
 pub const PANES: &[(PaneId, Pane)] = &[
     (PaneId::Assembly, assembly::PANE),
     (PaneId::Chart(0), chart::PANE),
+    (PaneId::Contact, contact::PANE),
     (PaneId::Rose, rose::PANE),
     (PaneId::WeightedRose, rose::WEIGHTED),
     (PaneId::Monitor, monitor::PANE),
@@ -81,7 +85,10 @@ pub fn draw(app: &App, id: PaneId, number: usize, area: Rect, buffer: &mut Buffe
     let title = format!(
         " {} {} ",
         number + 1,
-        fitting(&(pane.title)(app, id), area.width)
+        write::fitting(
+            &(pane.title)(app, id),
+            usize::from(area.width).saturating_sub(6)
+        )
     );
     let title = write::shown(&app.look, &title);
     let block = Block::bordered()
@@ -95,19 +102,6 @@ pub fn draw(app: &App, id: PaneId, number: usize, area: Rect, buffer: &mut Buffe
     }
 }
 
-/// As many parts of a title as have room in a pane of this width.
-fn fitting(title: &str, width: u16) -> &str {
-    let room = usize::from(width).saturating_sub(6);
-    let mut text = title;
-    while text.chars().count() > room {
-        match text.rsplit_once("  ") {
-            Some((shorter, _)) => text = shorter.trim_end(),
-            None => break,
-        }
-    }
-    text
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -118,14 +112,5 @@ mod tests {
             assert_eq!(row(*id).name, pane.name);
         }
         assert_eq!(row(PaneId::Chart(3)).name, "chart");
-    }
-
-    #[test]
-    fn titles_lose_their_last_parts() {
-        let title = "kinetic [J] 0.1  translational  energy";
-        assert_eq!(fitting(title, 80), title);
-        assert_eq!(fitting(title, 40), "kinetic [J] 0.1  translational");
-        assert_eq!(fitting(title, 22), "kinetic [J] 0.1");
-        assert_eq!(fitting(title, 5), "kinetic [J] 0.1");
     }
 }

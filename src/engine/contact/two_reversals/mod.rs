@@ -38,6 +38,7 @@
 
 mod curves;
 mod energy;
+mod view;
 
 use serde::{Deserialize, Serialize};
 

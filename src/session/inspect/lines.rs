@@ -1,12 +1,14 @@
-//! INSPECT CONTACT: one contact in full.
+//! The answer to INSPECT CONTACT.
 
-use super::figure::{figure, per_cent, vector};
-use super::print::{Carried, LARGE, dashpots, listed};
 use crate::engine::World;
+use crate::engine::contact::inner::Value;
 use crate::engine::contact_report::Other;
 use crate::engine::neighbours::Status;
 use crate::measure::columns::Partner;
+use crate::measure::contact_area::{peak_pressure, stick_ratio};
 use crate::measure::sample::find_contact;
+use crate::session::figure::{figure, per_cent, vector};
+use crate::session::print::{Carried, DEEP, WIDE, dashpots, has_areas, listed};
 
 /// The lines of the answer. Both bodies exist: the command was checked.
 pub(super) fn contact(world: &mut World, i: u32, partner: &Partner) -> Vec<String> {
@@ -66,6 +68,8 @@ fn listed_contact(world: &World, k: usize) -> Vec<String> {
     ];
     if let Some(carried) = Carried::of(world, k) {
         rows.extend(forces(world, k, &carried));
+        rows.extend(area(world, k, &carried));
+        rows.extend(inner(world, k, g.overlap));
     }
     let meeting = world.meeting(k);
     rows.push((
@@ -94,6 +98,7 @@ fn listed_contact(world: &World, k: usize) -> Vec<String> {
             figure(s.c[1])
         ),
     ));
+    rows.push(("effective", effective(world, k)));
     rows.push(("largest stable step", steps(world, i, other)));
     if world.contacts().status[k] != Status::Apart {
         rows.extend(energies(world, k, g.overlap));
@@ -112,23 +117,19 @@ fn state(world: &World, k: usize) -> String {
 fn forces(world: &World, k: usize, carried: &Carried) -> Vec<(&'static str, String)> {
     let [spring_n, spring_t] = world.springs(k);
     let pair = world.pair_of(k);
-    let mark = if carried.depth > LARGE {
-        ", more than is small"
-    } else {
-        ""
-    };
     let split = |total: f64, spring: f64| {
         format!(
             "{} N: spring {} N, dashpot {} N",
             figure(total),
             figure(spring),
-            figure(total - spring)
+            figure(dashpot(total, spring))
         )
     };
     let overlap = format!(
-        "{} m, {} of the smaller diameter{mark}",
+        "{} m, {} of the smaller diameter{}",
         figure(carried.overlap),
-        per_cent(carried.depth)
+        per_cent(carried.depth),
+        too_large(carried.depth, DEEP)
     );
     let mut rows = vec![
         ("overlap", overlap),
@@ -158,6 +159,89 @@ fn forces(world: &World, k: usize, carried: &Carried) -> Vec<(&'static str, Stri
         ));
     }
     rows
+}
+
+/// The share of a force [N] that the spring does not carry. The force is a projection, and its
+/// rounding is no dashpot.
+fn dashpot(total: f64, spring: f64) -> f64 {
+    let rest = total - spring;
+    if rest.abs() <= 4.0 * f64::EPSILON * total.abs() {
+        0.0
+    } else {
+        rest
+    }
+}
+
+/// What is said of a ratio above its limit.
+fn too_large(ratio: f64, limit: f64) -> String {
+    if ratio > limit {
+        format!(", more than the {} that count as small", per_cent(limit))
+    } else {
+        String::new()
+    }
+}
+
+/// Contact radius and stresses, where bodies touch in circles.
+fn area(world: &World, k: usize, carried: &Carried) -> Vec<(&'static str, String)> {
+    if !has_areas(world) {
+        return Vec::new();
+    }
+    let radius = format!(
+        "{} m, {} of the smaller radius{}",
+        figure(carried.area.radius),
+        per_cent(carried.area.relative()),
+        too_large(carried.area.relative(), WIDE)
+    );
+    let [normal, tangential] = carried.stress().map(figure);
+    let mut stresses = format!("mean normal {normal} Pa, mean shear {tangential} Pa");
+    let peak = peak_pressure(world, k);
+    if peak.is_finite() {
+        stresses += &format!(", largest pressure p0 {} Pa", figure(peak));
+    }
+    vec![("contact radius a", radius), ("stresses", stresses)]
+}
+
+/// What the law remembers, and where the contact sticks.
+fn inner(world: &World, k: usize, overlap: f64) -> Vec<(&'static str, String)> {
+    let mut parts: Vec<String> = (world.pass().inner(k, overlap).iter())
+        .map(|inner| match inner.value {
+            Value::Number(value, "-") => format!("{} {}", inner.name, figure(value)),
+            Value::Number(value, unit) => format!("{} {} {unit}", inner.name, figure(value)),
+            Value::Word(word) => format!("{} {word}", inner.name),
+        })
+        .collect();
+    let law = world.model().law.card().name;
+    parts.insert(0, law.to_owned());
+    let mut rows = vec![("law", parts.join(", "))];
+    let ratio = stick_ratio(world, k);
+    if ratio.is_finite() {
+        let sticks = if ratio == 0.0 {
+            "nothing: all of it is at the friction limit".to_owned()
+        } else if ratio == 1.0 {
+            "all of it".to_owned()
+        } else {
+            format!("within c/a {}, outside it slips", figure(ratio))
+        };
+        rows.push(("sticks", sticks));
+    }
+    rows
+}
+
+/// What the two bodies make of it.
+fn effective(world: &World, k: usize) -> String {
+    let effective = world.effective(k);
+    let mut text = format!(
+        "R* {} m, M* {} kg",
+        figure(effective.radius),
+        figure(effective.mass)
+    );
+    if effective.young > 0.0 {
+        text += &format!(", E* {} Pa", figure(effective.young));
+    }
+    if effective.shear > 0.0 {
+        text += &format!(", G* {} Pa", figure(effective.shear));
+    }
+    text
 }
 
 /// The bound of each of its particles.
