@@ -3,7 +3,8 @@
 //! isostatic and begins to yield as a whole.
 //!
 //! A contact whose friction is not used up carries two unknown forces, one that slides or has no
-//! friction only its normal force. A particle has an equation for every direction in which it is free
+//! friction only its normal force; where rolling is resisted there is a moment too, rolling or not. A
+//! particle has an equation for every direction in which it is free
 //! to move and one for its spin where anything can turn it. Rattlers, free particles with no contact
 //! or with one, are left out, and their contacts with them: they bear nothing.
 
@@ -28,12 +29,15 @@ impl Redundancy {
         let fixed = &world.particles().fixed;
         let is_held = |p: usize| fixed[p][0] && fixed[p][1];
         let bears = |p: usize| degrees[p] > 1 || is_held(p);
+        let rolling = world.pass().rolling();
         let turns = world.pass().tangential() && world.model().rotation;
         let mut unknowns = 0.0;
         for link in Link::all(world).filter(Link::is_touching) {
             if bears(link.first) && link.second().is_none_or(bears) {
-                let open = link.frictional && !link.sliding;
-                unknowns += link.weight(inside) * if open { 2.0 } else { 1.0 };
+                let shears = link.frictional && !link.sliding;
+                let rolls = rolling && world.pair_of(link.place).resists_rolling();
+                let own = 1 + u8::from(shears) + u8::from(rolls);
+                unknowns += link.weight(inside) * f64::from(own);
             }
         }
         let own = (0..degrees.len()).filter(|&p| inside[p] && bears(p));

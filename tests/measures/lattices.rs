@@ -66,7 +66,7 @@ fn fourier(world: &World, m: &Measured) -> Fourier {
     Fourier::of(world, &m.content.inside, &fourth.plain)
 }
 
-/// Unknown forces over equations, in a region of whole periods.
+/// Unknown forces and moments over equations, in a region of whole periods.
 #[test]
 fn redundancy_of_lattices() {
     let row = D * 3f64.sqrt() / 2.0;
@@ -75,15 +75,19 @@ fn redundancy_of_lattices() {
         [5.0 * D, 6.0 * row],
     );
     let square = (lattice([D, 0.0], [0.0, D], 20.0), [5.0 * D, 6.0 * D]);
-    // Contacts per disc times forces over equations: two of each without friction.
-    for ((discs, size), friction, exact) in [
-        (&hexagonal, 0.0, 3.0 / 2.0),
-        (&hexagonal, 0.5, 3.0 * 2.0 / 3.0),
-        (&square, 0.0, 2.0 / 2.0),
-        (&square, 0.5, 2.0 * 2.0 / 3.0),
+    // Contacts per disc times what each carries over equations: one force and two equations where
+    // nothing can turn a disc.
+    for ((discs, size), friction, rolling, exact) in [
+        (&hexagonal, 0.0, 0.0, 3.0 / 2.0),
+        (&hexagonal, 0.5, 0.0, 3.0 * 2.0 / 3.0),
+        (&hexagonal, 0.5, 0.1, 3.0 * 3.0 / 3.0),
+        (&square, 0.0, 0.0, 2.0 / 2.0),
+        (&square, 0.5, 0.0, 2.0 * 2.0 / 3.0),
+        (&square, 0.0, 0.1, 2.0 * 2.0 / 3.0),
     ] {
         let mut setup = setup(discs);
         setup.materials[0].friction = friction;
+        setup.materials[0].rolling_friction = rolling;
         let world = built(setup);
         let m = measured(&world, rectangle([-4.3, -5.7], *size));
         let redundancy = Redundancy::of(&world, &m.content.inside);
