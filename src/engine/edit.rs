@@ -7,7 +7,6 @@
 
 use super::World;
 use super::contact::quantities::Reaction;
-use super::fault::Fault;
 use super::motion::{self, Dragged};
 use super::neighbours::{Slot, Status};
 use super::particles::Inertia;
@@ -393,8 +392,8 @@ impl World {
             world.replan();
             world.retime();
             let before = world.contacts.status.clone();
-            // A centre on a wall has no force yet: the next cycle meets it again and says so.
-            let _: Result<(), Fault> = world.touch(0.0);
+            // A centre on a wall has no force: no cycle begins before it is taken away.
+            world.misplaced = world.touch(0.0).err();
             // No time has passed: what slid in the last cycle still did.
             for (now, before) in world.contacts.status.iter_mut().zip(before) {
                 if *now == Status::Touching && before == Status::Sliding {

@@ -18,8 +18,20 @@ use super::wall_contact;
 const LOST: f64 = 1e4;
 
 impl World {
-    /// One cycle: motion under the present forces, then the forces of the new positions.
+    /// One cycle: motion under the present forces, then the forces of the new positions. After a
+    /// fault it does nothing but answer it again.
     pub fn cycle(&mut self) -> Result<(), Fault> {
+        if let Some(fault) = self.fault() {
+            return Err(fault.clone());
+        }
+        let done = self.step();
+        if let Err(fault) = &done {
+            self.broken = Some(fault.clone());
+        }
+        done
+    }
+
+    fn step(&mut self) -> Result<(), Fault> {
         self.depart();
         self.motion()?;
         for wall in &mut self.walls {

@@ -47,6 +47,10 @@ pub struct World {
     pub(super) next_id: u32,
     /// Whether some particle was given a spin: it turns even where no contact can turn it.
     pub(super) turning: bool,
+    /// The fault that the last cycle broke off with.
+    pub(super) broken: Option<Fault>,
+    /// What a change from outside left that no cycle can begin with, until another mends it.
+    pub(super) misplaced: Option<Fault>,
     /// Memory of the contacts, filled only in a checkpoint.
     memory: Vec<u8>,
     #[serde(skip)]
@@ -94,6 +98,8 @@ impl World {
             first_kick: true,
             next_id: particles.len() as u32 + 1,
             turning: false,
+            broken: None,
+            misplaced: None,
             particles,
             walls,
             contacts: ContactList::default(),
@@ -154,6 +160,17 @@ impl World {
     /// Cycles done.
     pub fn cycle_number(&self) -> u64 {
         self.cycle
+    }
+
+    /// Why no cycle can be done, if so.
+    pub fn fault(&self) -> Option<&Fault> {
+        self.broken.as_ref().or(self.misplaced.as_ref())
+    }
+
+    /// Whether the last cycle broke off: forces, positions and bookings no longer belong together, and
+    /// nothing but another state can go on.
+    pub fn is_broken(&self) -> bool {
+        self.broken.is_some()
     }
 
     /// Simulated time [s].
