@@ -1,4 +1,8 @@
 //! Running: stages begin, cycles pass, rows are taken, stages end.
+//!
+//! What ends, ends at the boundary where it is noticed: [`Session::notice_ends`], and its row is
+//! taken there. What begins waits until the run goes on. So every command that is typed at a boundary
+//! stands between the two, live and in a replay, wherever the batches are cut.
 
 use std::time::{Duration, Instant};
 
@@ -6,7 +10,7 @@ use super::course::{Errand, Phase};
 use super::{By, Refusal, Reply, Request, RunError, Session};
 use crate::language::{Command, Expression, Term};
 use crate::measure::sample::Sample;
-use crate::record::journal::EventKind;
+use crate::record::journal::{Event, EventKind};
 
 /// How long a batch may be.
 #[derive(Debug, Clone, Copy, Default)]
@@ -55,6 +59,9 @@ impl Session {
             if self.user_turn() {
                 return Ok(Progress::ErrandDone);
             }
+            if let Some(fault) = self.world.fault().cloned() {
+                return Err(self.stopped(fault.into()));
+            }
             self.stage_turn()?;
             let more = self.course.user_errand.is_some() || (free && budget.until_cycle.is_some());
             if self.is_finished() && !more {
@@ -70,7 +77,9 @@ impl Session {
         if self.world.cycle_number() == 0 {
             self.dump(false)?;
         }
-        self.world.cycle()?;
+        if let Err(fault) = self.world.cycle() {
+            return Err(self.stopped(fault.into()));
+        }
         if let Some(follower) = &mut self.follower {
             follower.take(&self.world);
         }
@@ -78,19 +87,32 @@ impl Session {
             self.panic_at != Some(self.world.cycle_number()),
             "asked to panic here"
         );
-        let running = self.course.phase == Phase::Running;
-        if running {
-            self.look_for_stage_end();
-        }
-        let due = self
-            .world
-            .cycle_number()
-            .is_multiple_of(self.recording.every);
-        let ending = running && self.course.phase == Phase::Over;
-        if due || ending {
+        self.notice_ends()?;
+        let cycle = self.world.cycle_number();
+        if cycle.is_multiple_of(self.recording.every) {
             self.take_row()?;
         }
-        self.dump(ending)
+        self.dump(false)
+    }
+
+    /// Says in the journal that the run cannot go on, and forgets what was still asked for.
+    pub(super) fn stopped(&mut self, error: RunError) -> RunError {
+        self.course.user_errand = None;
+        let left = std::mem::take(&mut self.course.user_lines).len();
+        if left > 0 {
+            self.notices
+                .push(format!("{left} lines of the file are left out"));
+        }
+        let event = Event {
+            cycle: self.world.cycle_number(),
+            kind: EventKind::Fault(error.to_string()),
+        };
+        // Who asks again is told again; once is enough for the journal. A journal that cannot be
+        // written matters less than what has happened.
+        if self.journal.events.last() != Some(&event) {
+            drop(self.note(event.kind));
+        }
+        error
     }
 
     /// What the user asked for comes before what stages do at the same boundary. True when all of
@@ -148,27 +170,20 @@ impl Session {
     /// Begins stages that are due and issues their commands, until cycles have to run.
     pub(super) fn stage_turn(&mut self) -> Result<(), RunError> {
         let stages = self.scene.stages.len();
+        // Before the first of them: a replay begins stages that follow each other at once in one go.
+        if self.course.phase == Phase::Over && !self.is_finished() {
+            self.keep_safe();
+        }
         loop {
             match self.course.phase {
                 _ if stages == 0 => return Ok(()),
                 Phase::Ahead => self.begin_stage()?,
+                Phase::Issuing if self.course.errand.is_some() => return Ok(()),
                 Phase::Issuing => {
-                    if let Some(errand) = self.course.errand.clone() {
-                        if !self.errand_done(&errand) {
-                            return Ok(());
-                        }
-                        self.course.errand = None;
-                    }
-                    if let Some(line) = self.course.lines.pop_front() {
-                        self.issue(&line)?;
-                    } else {
-                        self.course.phase = Phase::Running;
-                        self.look_for_stage_end();
-                        if self.course.phase == Phase::Over {
-                            self.take_row()?;
-                            self.dump(true)?;
-                        }
-                    }
+                    let line = self.course.lines.pop_front();
+                    let done = line.map_or(Ok(()), |line| self.issue(&line));
+                    self.notice_ends()?;
+                    done?;
                 }
                 Phase::Running => return Ok(()),
                 Phase::Over if self.course.stage + 1 >= stages => return Ok(()),
@@ -182,7 +197,6 @@ impl Session {
 
     fn begin_stage(&mut self) -> Result<(), RunError> {
         self.course.started_at = self.world.cycle_number();
-        self.keep_safe();
         self.course.phase = Phase::Issuing;
         let stage = &self.scene.stages[self.course.stage];
         self.course.lines = stage.commands.iter().map(ToString::to_string).collect();
@@ -190,8 +204,33 @@ impl Session {
         self.note(EventKind::Stage(name))
     }
 
+    /// What ends at this boundary: cycles that a stage's command asked for, its commands, the stage.
+    fn notice_ends(&mut self) -> Result<(), RunError> {
+        if self.course.phase == Phase::Issuing {
+            if let Some(errand) = self.course.errand.clone() {
+                if !self.errand_done(&errand) {
+                    return Ok(());
+                }
+                self.course.errand = None;
+            }
+            if !self.course.lines.is_empty() {
+                return Ok(());
+            }
+            self.course.phase = Phase::Running;
+        }
+        if self.course.phase != Phase::Running {
+            return Ok(());
+        }
+        self.look_for_stage_end();
+        if self.course.phase == Phase::Over {
+            self.take_row()?;
+            self.dump(true)?;
+        }
+        Ok(())
+    }
+
     fn issue(&mut self, line: &str) -> Result<(), RunError> {
-        self.note(EventKind::Staged(line.to_owned()))?;
+        let noted = self.note(EventKind::Staged(line.to_owned()));
         let done = match Command::parse_with(line, &self.scene.definitions) {
             Ok(command) => self.execute(&command, By::Stage),
             Err(mistake) => Err(mistake.into()),
@@ -202,11 +241,16 @@ impl Session {
                 self.notices.extend(reply.lines);
             }
         };
-        done.map(shown).map_err(|refusal| RunError::Stage {
-            stage: self.stage_name().to_owned(),
-            line: line.to_owned(),
-            refusal,
-        })
+        if let Err(refusal) = done.map(shown) {
+            let stage = self.stage_name().to_owned();
+            let line = line.to_owned();
+            return Err(self.stopped(RunError::Stage {
+                stage,
+                line,
+                refusal,
+            }));
+        }
+        noted
     }
 
     fn look_for_stage_end(&mut self) {
@@ -308,7 +352,10 @@ impl Session {
 
     /// Ends the run: last row, end of the journal, everything handed to the files.
     pub fn finish(&mut self) -> Result<(), RunError> {
-        self.take_row()?;
+        // Half a cycle is no state to measure.
+        if !self.world.is_broken() {
+            self.take_row()?;
+        }
         self.note(EventKind::End)?;
         self.flush()
     }

@@ -79,29 +79,42 @@ impl Session {
     pub fn execute(&mut self, command: &Command, by: By) -> Result<Reply, Refusal> {
         let line = command.to_string();
         self.known().check(command, &line)?;
-        let cycle = self.world.cycle_number();
+        self.check_whole(command)?;
         let reply = self.carry_out(command, by)?;
-        let told = command.changes_world()
-            || command.runs_cycles()
-            || matches!(
-                command,
-                Command::Reference
-                    | Command::Save(_)
-                    | Command::Restore(_)
-                    | Command::Pause
-                    | Command::History(HistoryChange::Every(_) | HistoryChange::Columns(_))
-            );
+        let told = match command {
+            // Tells itself, at the cycle that it left.
+            Command::Restore(_) => false,
+            Command::Reference
+            | Command::Save(_)
+            | Command::Pause
+            | Command::History(HistoryChange::Every(_) | HistoryChange::Columns(_)) => true,
+            other => other.changes_world() || other.runs_cycles(),
+        };
         if by == By::User && told {
-            // The cycle before: `restore` sets it back.
-            self.note_at(cycle, EventKind::Typed(line))
-                .map_err(|error| {
-                    Refusal::new(
-                        error.to_string(),
-                        "the command took effect but is not in the journal",
-                    )
-                })?;
+            self.note(EventKind::Typed(line)).map_err(|error| {
+                Refusal::new(
+                    error.to_string(),
+                    "the command took effect but is not in the journal",
+                )
+            })?;
         }
         Ok(reply)
+    }
+
+    /// A world that broke off in the middle of a cycle can be looked at, and left.
+    fn check_whole(&self, command: &Command) -> Result<(), Refusal> {
+        let builds_on_it = match command {
+            Command::Restore(_) => false,
+            Command::Save(_) => true,
+            other => other.changes_world() || other.runs_cycles(),
+        };
+        match self.world.fault() {
+            Some(fault) if builds_on_it && self.world.is_broken() => Err(Refusal::new(
+                format!("the run cannot go on: {fault}"),
+                "restore an earlier state first",
+            )),
+            _ => Ok(()),
+        }
     }
 
     fn carry_out(&mut self, command: &Command, by: By) -> Result<Reply, Refusal> {

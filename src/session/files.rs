@@ -21,7 +21,7 @@ impl Session {
                 Ok(Reply::line(format!("saved cycle {cycle} in {file}")))
             }
             Command::Restore(file) => {
-                self.restore(Path::new(file)).map_err(failed)?;
+                self.restore(file).map_err(failed)?;
                 let back = self.world.cycle_number();
                 Ok(Reply::line(format!("back at cycle {back}")))
             }

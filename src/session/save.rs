@@ -8,10 +8,10 @@ use serde::{Deserialize, Serialize};
 use super::course::Course;
 use super::{Recording, RunError, Session};
 use crate::engine::World;
-use crate::language::Observable;
+use crate::language::{Command, Observable};
 use crate::measure::reference::Reference;
 use crate::record::checkpoint;
-use crate::record::journal::Journal;
+use crate::record::journal::{EventKind, Journal};
 use crate::scene::Scene;
 
 /// What a checkpoint holds.
@@ -74,6 +74,7 @@ impl Session {
     pub(super) fn keep_safe(&mut self) {
         let cycle = self.world.cycle_number();
         if cycle > 0
+            && self.world.fault().is_none()
             && let Ok(bytes) = self.encode()
         {
             self.safe = Some((cycle, bytes));
@@ -96,14 +97,23 @@ impl Session {
         self.safe.as_ref().map(|(cycle, _)| *cycle)
     }
 
-    /// After a fault: writes the state at the start of the stage, if there was one. Answers whether
-    /// it did.
-    pub fn save_safe(&self, path: &Path) -> Result<bool, RunError> {
-        let Some((_, bytes)) = &self.safe else {
-            return Ok(false);
+    /// After a fault: writes the last good state that was kept, if one was, and answers its cycle.
+    pub fn save_safe(&self, path: &Path) -> Result<Option<u64>, RunError> {
+        let Some((cycle, bytes)) = &self.safe else {
+            return Ok(None);
         };
         crate::record::whole_file::write(path, bytes)?;
-        Ok(true)
+        Ok(Some(*cycle))
+    }
+
+    /// After a fault: writes the last good state to this file and says how to go back to it.
+    pub fn way_back(&self, path: &Path) -> Result<Option<String>, RunError> {
+        if !self.world.is_broken() {
+            return Ok(None);
+        }
+        let command = Command::Restore(path.display().to_string());
+        let cycle = self.save_safe(path)?;
+        Ok(cycle.map(|cycle| format!("`{command}` goes back to cycle {cycle}")))
     }
 
     /// Reads a checkpoint.
@@ -164,19 +174,20 @@ impl Session {
     }
 
     /// Takes the state of a checkpoint over; files and the journal of this session go on.
-    pub(super) fn restore(&mut self, path: &Path) -> Result<(), RunError> {
-        let saved = checkpoint::read(path)?;
-        self.take_over(saved, &path.display().to_string())
+    pub(super) fn restore(&mut self, file: &str) -> Result<(), RunError> {
+        let saved = checkpoint::read(Path::new(file))?;
+        self.take_over(saved, file)
     }
 
     /// The same from the bytes that [`Session::encode`] gave.
-    pub(super) fn restore_from(&mut self, bytes: &[u8], name: &str) -> Result<(), RunError> {
+    pub(super) fn restore_from(&mut self, bytes: &[u8], file: &str) -> Result<(), RunError> {
         let saved = checkpoint::decode(bytes)
-            .map_err(|fault| RunError::Misfit(format!("{name}: {fault}")))?;
-        self.take_over(saved, name)
+            .map_err(|fault| RunError::Misfit(format!("{file}: {fault}")))?;
+        self.take_over(saved, file)
     }
 
     fn take_over(&mut self, saved: Saved, name: &str) -> Result<(), RunError> {
+        let left = self.world.cycle_number();
         let session = Self::revive(saved, name, self.world.threads())?;
         let same = session.journal.preset_text == self.journal.preset_text
             && session.journal.overrides == self.journal.overrides;
@@ -186,6 +197,15 @@ impl Session {
                 session.journal.preset_name
             )));
         }
+        let back = self
+            .journal
+            .moment_of(&session.journal, session.world.cycle_number());
+        // A state of another run is found again in its file only.
+        let restore = || EventKind::Typed(Command::Restore(name.to_owned()).to_string());
+        let kind = back.map_or_else(restore, |to| {
+            let file = name.to_owned();
+            EventKind::Back { to, file }
+        });
         let shown: Vec<Observable> = self.recording.shown().cloned().collect();
         // What is being executed is what was typed now, not what was being executed then.
         let user_lines = std::mem::take(&mut self.course.user_lines);
@@ -200,9 +220,10 @@ impl Session {
         self.reference = session.reference;
         self.dumped = session.dumped;
         self.follow_anew();
-        self.rewrite_history(&shown)?;
+        let noted = self.note_at(left, kind);
         self.keep_safe();
-        Ok(())
+        self.rewrite_history(&shown)?;
+        noted
     }
 
     /// The file being written shall hold one row for each cycle number, in the columns it began

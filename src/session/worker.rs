@@ -342,16 +342,10 @@ impl Desk {
     fn fail(&mut self, error: &RunError) {
         self.running = false;
         let mut message = error.to_string();
-        if let Some(keep) = self.keep.clone()
-            && matches!(error, RunError::Fault(_))
-            && matches!(self.session.save_safe(&keep.checkpoint), Ok(true))
+        if let Some(keep) = &self.keep
+            && let Ok(Some(way)) = self.session.way_back(&keep.checkpoint)
         {
-            let path = keep.checkpoint.display();
-            message.push_str(&format!(
-                "; restore {path} goes back to the start of the stage"
-            ));
-            // The broken state must not take the good one's place.
-            self.saved_cycle = Some(self.session.world().cycle_number());
+            message.push_str(&format!("; {way}"));
         }
         self.tell(Report::Failed(message));
     }
@@ -436,7 +430,8 @@ impl Desk {
         let Some(keep) = self.keep.clone() else {
             return;
         };
-        if self.saved_cycle == Some(cycle) || cycle == 0 {
+        // Half a cycle must not take the place of the good state that is there.
+        if self.saved_cycle == Some(cycle) || cycle == 0 || self.session.world().is_broken() {
             return;
         }
         match self

@@ -76,6 +76,10 @@ pub fn talk(
             Some(Request::Run) => {
                 if let Err(error) = run(&mut session, output, &|| caught().is_some()) {
                     say(output, &format!("! {error}"));
+                    let way = keep.as_ref().map(|keep| session.way_back(&keep.checkpoint));
+                    if let Some(way) = way.transpose()?.flatten() {
+                        say(output, &way);
+                    }
                 }
             }
             Some(Request::Pause) | None => {}
@@ -95,8 +99,11 @@ fn close(
     farewell.push_str(&format!("cycle {cycle}"));
     if let Some(keep) = keep {
         farewell.push_str(&format!("; journal {}", keep.journal.display()));
-        if cycle > 0 {
+        // Half a cycle must not take the place of the good state that is there.
+        if cycle > 0 && !session.world().is_broken() {
             session.save(&keep.checkpoint)?;
+        }
+        if keep.checkpoint.exists() {
             let path = keep.checkpoint.display();
             farewell.push_str(&format!("\ngo on with: ballast run --resume {path}"));
         }

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use super::{assert_same, bytes, cycle_of, refused, run, scenes, text};
+use super::{assert_same, attempt, bytes, cycle_of, refused, run, said, scenes, text};
 
 #[test]
 fn a_journal_gives_the_bytes_of_its_run() {
@@ -125,4 +125,78 @@ fn a_damaged_journal_is_refused_with_its_line() {
     let whole = run(folder, "nine-disc-compression --csv -").stdout;
     let again = run(folder, "open.journal --csv -").stdout;
     assert_same(&again, &whole, "a journal without its end");
+}
+
+#[test]
+fn a_run_that_failed_fails_again_at_the_same_cycle() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let folder = folder.path();
+    let words = "nine-disc-compression --set model.frac=5 --csv wild.csv";
+    refused(folder, words, 1, &["cycle 3", "particle 1"]);
+    let journal = text(folder, "wild.journal");
+    assert!(
+        journal.contains("\n@3 fault cycle 3: particle 1"),
+        "{journal}"
+    );
+    let again = attempt(folder, "wild.journal --csv again.csv");
+    assert_eq!(again.status.code(), Some(1), "{}", said(&again));
+    assert!(said(&again).contains("cycle 3: particle 1"));
+    for ending in ["csv", "journal"] {
+        let [first, again] =
+            ["wild", "again"].map(|name| bytes(folder, &format!("{name}.{ending}")));
+        assert_same(&again, &first, ending);
+    }
+}
+
+/// A journal in which somebody went back from cycle 777 to cycle 100, without the file.
+#[test]
+fn states_that_were_gone_back_to_are_kept_on_the_way() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let folder = folder.path();
+    run(folder, "nine-disc-compression --csv plain.csv --cycles 777");
+    let journal = text(folder, "plain.journal");
+    let early = journal.lines().filter_map(|line| line.strip_prefix('@'));
+    let early = early.filter(|event| {
+        let cycle = event.split(' ').next().expect("an event has a cycle");
+        cycle.parse::<u64>().expect("a number") <= 100
+    });
+    let back = format!(
+        "@777 friction 0.1\n@777 back 100 {} gone.ballast\n@2222 end\n",
+        early.count()
+    );
+    let journal = journal.replace("@777 end\n", &back);
+    fs::write(folder.join("back.journal"), journal).expect("it can be written");
+    run(
+        folder,
+        "nine-disc-compression --csv whole.csv --cycles 2222",
+    );
+    let whole = bytes(folder, "whole.csv");
+    for (journal, csv) in [("back", "again"), ("again", "more")] {
+        run(folder, &format!("{journal}.journal --csv {csv}.csv"));
+        assert_same(
+            &bytes(folder, &format!("{csv}.csv")),
+            &whole,
+            "the change is gone",
+        );
+    }
+
+    // Half a replay has lost what it would go back to, unless that is still to come or behind it.
+    for (cycle, lost) in [(99, false), (100, false), (101, true), (776, true)] {
+        run(
+            folder,
+            &format!("back.journal --csv part.csv --cycles {cycle}"),
+        );
+        let rest = "back.journal --resume part.ballast --csv part.csv";
+        if lost {
+            let hints = [
+                "at cycle 777",
+                "goes back to cycle 100",
+                "from the beginning",
+            ];
+            refused(folder, rest, 2, &hints);
+        } else {
+            run(folder, rest);
+            assert_same(&bytes(folder, "part.csv"), &whole, "resumed");
+        }
+    }
 }

@@ -122,8 +122,7 @@ fn before_fault(session: &Session, files: &Files, path: &Path) -> Result<Option<
     if files.saved >= safe {
         return Ok(files.saved);
     }
-    session.save_safe(path)?;
-    Ok(safe)
+    session.save_safe(path)
 }
 
 fn is_closed_pipe(error: &RunError) -> bool {

@@ -144,11 +144,19 @@ fn resume(
                 BAD_INPUT
             })?;
             let rest = same.then(|| Replay::rest(journal, &session)).flatten();
-            Some(rest.ok_or_else(|| {
+            let rest = rest.ok_or_else(|| {
                 refuse(&format!(
                     "it was not made by replaying {name}; leave it out"
                 ))
-            })?)
+            })?;
+            let here = session.world().cycle_number();
+            if let Some((cycle, back)) = rest.goes_back_before(here) {
+                return Err(refuse(&format!(
+                    "it is of cycle {here}, and at cycle {cycle} {name} goes back to cycle {back}, \
+                     which it does not hold; replay from the beginning: ballast run {name}"
+                )));
+            }
+            Some(rest)
         }
     };
     Ok(Prepared {

@@ -18,8 +18,11 @@
 //! ```
 //!
 //! `@40 friction 0.3` was typed or pressed before cycle 41; `@0 : ...` was issued by a stage and
-//! stands there for the reader: in a replay the stage issues it again. Text that could be taken for
-//! something else is put in quotes. The number of threads is not in it, for it changes no bit.
+//! stands there for the reader: in a replay the stage issues it again. `@90 fault ...` says that the
+//! run could not go on there; what follows it was done nevertheless. `@90 back 60 3 a.ballast` says
+//! that `restore a.ballast` set the world back to cycle 60 as it was after the first 3 events: a
+//! replay needs no file for that. Text that could be taken for something else is put in quotes. The
+//! number of threads is not in it, for it changes no bit.
 
 mod parse;
 mod quotes;
@@ -77,6 +80,24 @@ pub enum EventKind {
     Stage(String),
     /// The end of the run.
     End,
+    /// The run could not go on, for this reason.
+    Fault(String),
+    /// A state of this run was restored.
+    Back {
+        /// Which state.
+        to: Moment,
+        /// The file that held it.
+        file: String,
+    },
+}
+
+/// A state that a run has gone through: nothing but cycles passes between two events.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+pub struct Moment {
+    /// Events before it.
+    pub events: usize,
+    /// Cycles done.
+    pub cycle: u64,
 }
 
 impl Journal {
@@ -88,6 +109,15 @@ impl Journal {
     /// Whether the run came to its end, rather than being killed.
     pub fn is_complete(&self) -> bool {
         matches!(self.events.last(), Some(event) if event.kind == EventKind::End)
+    }
+
+    /// The last moment of `earlier`, at this cycle, if it is one that this run went through too.
+    pub fn moment_of(&self, earlier: &Self, cycle: u64) -> Option<Moment> {
+        let events = earlier.events.len();
+        let passed = |next: &Event| cycle <= next.cycle;
+        let through =
+            self.events.starts_with(&earlier.events) && self.events.get(events).is_none_or(passed);
+        through.then_some(Moment { events, cycle })
     }
 }
 
@@ -137,6 +167,15 @@ impl fmt::Display for Event {
             }
             EventKind::Stage(name) => write!(f, "stage {}", quotes::quoted_if_needed(name)),
             EventKind::End => f.write_str("end"),
+            EventKind::Fault(why) => write!(f, "fault {}", quotes::quoted_if_needed(why)),
+            EventKind::Back { to, file } => {
+                let Moment { events, cycle } = to;
+                write!(
+                    f,
+                    "back {cycle} {events} {}",
+                    quotes::quoted_if_needed(file)
+                )
+            }
         }
     }
 }
@@ -162,6 +201,10 @@ mod tests {
             nasty().prop_map(EventKind::Typed),
             nasty().prop_map(EventKind::Staged),
             nasty().prop_map(EventKind::Stage),
+            nasty().prop_map(EventKind::Fault),
+            (any::<usize>(), any::<u64>(), nasty()).prop_map(|(events, cycle, file)| {
+                EventKind::Back { to: Moment { events, cycle }, file }
+            }),
         ]) -> Event {
             Event { cycle, kind }
         }
@@ -220,6 +263,13 @@ mod tests {
 
     fn small() -> Journal {
         let event = |cycle, kind| Event { cycle, kind };
+        let back = EventKind::Back {
+            to: Moment {
+                events: 3,
+                cycle: 60,
+            },
+            file: "my runs/a.ballast".into(),
+        };
         Journal {
             program: "0.1.0".into(),
             preset_name: "nine-disc-compression".into(),
@@ -231,6 +281,8 @@ mod tests {
                 event(0, EventKind::Staged("wall left velocity 0.12 0".into())),
                 event(40, EventKind::Typed("friction 0.3".into())),
                 event(41, EventKind::Typed("end".into())),
+                event(90, EventKind::Fault("particle 1 ran away".into())),
+                event(90, back),
                 event(100, EventKind::End),
             ],
             cut: false,
@@ -242,7 +294,8 @@ mod tests {
         let text = "ballast journal 1\nprogram \"0.1.0\"\npreset \"nine-disc-compression\"\nseed 7\n\
                     set \"model.frac=0.2\"\nbegin preset\n| [model]\n| law = \"linear\"\n| \n\
                     end preset\n@0 stage load\n@0 : wall left velocity 0.12 0\n@40 friction 0.3\n\
-                    @41 \"end\"\n@100 end\n";
+                    @41 \"end\"\n@90 fault particle 1 ran away\n\
+                    @90 back 60 3 my runs/a.ballast\n@100 end\n";
         assert_eq!(small().to_string(), text);
         assert!(looks_like_journal(text));
         assert!(!looks_like_journal(

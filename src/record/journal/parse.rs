@@ -1,6 +1,6 @@
 //! Reading a journal back.
 
-use super::{Event, EventKind, FORMAT, Journal, TITLE, quotes, without_mark};
+use super::{Event, EventKind, FORMAT, Journal, Moment, TITLE, quotes, without_mark};
 
 /// A line that cannot be read.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -52,7 +52,7 @@ pub(super) fn journal(text: &str) -> Result<Journal, JournalError> {
 /// Whether a command could be taken for another kind of event.
 pub(super) fn is_reserved(command: &str) -> bool {
     let word = command.split(' ').next().unwrap_or_default();
-    word == "stage" || word == "end" || word.starts_with(':')
+    ["stage", "end", "fault", "back"].contains(&word) || word.starts_with(':')
 }
 
 struct Reader {
@@ -195,6 +195,24 @@ impl Reader {
             ("end", "") => EventKind::End,
             ("stage", name) => EventKind::Stage(text(name)?),
             (":", command) => EventKind::Staged(text(command)?),
+            ("fault", why) => EventKind::Fault(text(why)?),
+            ("back", what) => {
+                let mut words = what.splitn(3, ' ');
+                let mut number = || words.next().and_then(whole_number);
+                let (Some(cycle), Some(events)) = (number(), number()) else {
+                    return Err(self.error(
+                        "it does not say where to go back to",
+                        "write @CYCLE back CYCLE EVENTS FILE, with the number of events before it",
+                    ));
+                };
+                EventKind::Back {
+                    to: Moment {
+                        cycle,
+                        events: usize::try_from(events).unwrap_or(usize::MAX),
+                    },
+                    file: text(words.next().unwrap_or_default())?,
+                }
+            }
             _ => EventKind::Typed(text(what)?),
         };
         Ok(Event { cycle, kind })
@@ -265,6 +283,9 @@ mod tests {
             (format!("{preset}@1 stage\n"), 7, "missing"),
             (format!("{preset}@1 end\n@2 go\n"), 8, "follows the end"),
             (format!("{preset}@1 \"go\n"), 7, "closing"),
+            (format!("{preset}@1 fault\n"), 7, "missing"),
+            (format!("{preset}@1 back 0 x a\n"), 7, "where to go back"),
+            (format!("{preset}@1 back 0 2\n"), 7, "missing"),
         ] {
             let error = journal(&text).unwrap_err();
             assert_eq!(error.line, line, "{text}{error}");
