@@ -2,12 +2,19 @@
 
 use std::io::{Read, Write};
 use std::sync::{Arc, Mutex};
+use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, native_pty_system};
 
-/// Longest wait for anything: generous, the machine may be busy.
-const PATIENCE: Duration = Duration::from_secs(20);
+/// Longest wait for anything. It only ends a test that hangs: the machine may be very busy.
+const PATIENCE: Duration = Duration::from_secs(300);
+
+/// The terminal is given back: what the program sends then.
+pub(crate) const LEAVES: &str = "\u{1b}[?1049l";
+
+/// What the prompt's line says while nobody types there.
+const NO_PROMPT: &str = "press : to type a command";
 
 /// A program in a terminal.
 pub(crate) struct Pty {
@@ -15,6 +22,7 @@ pub(crate) struct Pty {
     writer: Option<Box<dyn Write + Send>>,
     pub(crate) child: Box<dyn Child + Send + Sync>,
     state: Arc<Mutex<State>>,
+    reader: JoinHandle<()>,
     /// Where its runs are kept.
     pub(crate) home: tempfile::TempDir,
 }
@@ -63,7 +71,7 @@ impl Pty {
         }));
         let mut reader = pair.master.try_clone_reader().unwrap();
         let shared = Arc::clone(&state);
-        std::thread::spawn(move || {
+        let reader = std::thread::spawn(move || {
             let mut piece = vec![0; 65536];
             while let Ok(n) = reader.read(&mut piece) {
                 if n == 0 {
@@ -83,6 +91,7 @@ impl Pty {
             writer,
             child,
             state,
+            reader,
             home,
         }
     }
@@ -113,25 +122,54 @@ impl Pty {
         writer.flush().unwrap();
     }
 
-    /// Waits until the screen shows what is wanted.
-    pub(crate) fn until(&self, what: &str, wanted: impl Fn(&str) -> bool) -> String {
+    /// Waits until something is so.
+    pub(crate) fn until(&self, what: &str, mut is_so: impl FnMut(&Self) -> bool) {
         let start = Instant::now();
-        loop {
-            let screen = self.screen();
-            if wanted(&screen) {
-                return screen;
-            }
+        while !is_so(self) {
             assert!(
                 start.elapsed() < PATIENCE,
-                "waiting for {what}, the screen shows\n{screen}"
+                "waiting for {what}, the screen shows\n{}",
+                self.screen()
             );
             std::thread::sleep(Duration::from_millis(5));
         }
     }
 
     /// Waits until a text is on the screen.
-    pub(crate) fn shows(&self, text: &str) -> String {
-        self.until(text, |screen| screen.contains(text))
+    pub(crate) fn shows(&self, text: &str) {
+        self.until(text, |pty| pty.screen().contains(text));
+    }
+
+    /// The cycle that the screen shows.
+    pub(crate) fn cycle(&self) -> Option<u64> {
+        let screen = self.screen();
+        let (_, number) = screen.split_once("cycle ")?;
+        // Thousands are set apart by one blank, the number by two.
+        let number = number.split("  ").next()?;
+        number.replace(' ', "").parse().ok()
+    }
+
+    /// Waits until at least so many cycles are done.
+    pub(crate) fn reaches(&self, cycle: u64) {
+        self.until(&format!("cycle {cycle}"), |pty| pty.cycle() >= Some(cycle));
+    }
+
+    /// Waits until nothing has been sent for a while.
+    pub(crate) fn settles(&self) {
+        let mut last = (self.bytes(), Instant::now());
+        self.until("nothing", |pty| {
+            if pty.bytes() != last.0 {
+                last = (pty.bytes(), Instant::now());
+            }
+            last.1.elapsed() > Duration::from_millis(500)
+        });
+    }
+
+    /// Leaves the prompt. What follows must not come before Esc was read: together they would be
+    /// another key.
+    pub(crate) fn leave_prompt(&mut self) {
+        self.keys("\u{1b}");
+        self.shows(NO_PROMPT);
     }
 
     /// Changes the size of the terminal.
@@ -191,14 +229,13 @@ impl Pty {
         (ticks(11) + ticks(12)) / 100.0
     }
 
-    /// Waits for the end; the exit status and how long it took.
-    pub(crate) fn end(&mut self) -> (u32, Duration) {
+    /// Waits for the end and the last bytes; the exit status.
+    pub(crate) fn end(&mut self) -> u32 {
         let start = Instant::now();
         loop {
             if let Some(status) = self.child.try_wait().unwrap() {
-                // The last bytes may still be on their way.
-                std::thread::sleep(Duration::from_millis(100));
-                return (status.exit_code(), start.elapsed());
+                self.until("the last bytes", |pty| pty.reader.is_finished());
+                return status.exit_code();
             }
             if start.elapsed() > PATIENCE {
                 let screen = self.screen();
