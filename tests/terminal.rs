@@ -85,6 +85,43 @@ fn a_newcomer_watches_pauses_changes_exports_and_finds_the_history_again() {
 }
 
 #[test]
+fn after_a_fault_it_goes_back_and_on() {
+    let set = "history.columns=[\"state_hash\", \"kinetic\"]";
+    let mut pty = Pty::start(120, 40, &["disc-pile", "--pace", "0", "--set", set]);
+    pty.shows("DONE");
+    pty.keys(":frac 20\r");
+    pty.shows("dt =");
+    pty.keys("cycle 5000\r");
+    pty.shows("FAILED");
+    pty.keys("friction 0.1\r");
+    pty.shows("restore an earlier state");
+    let kept = pty.kept("ballast");
+    pty.keys(&format!("restore {}\r", kept.display()));
+    pty.shows("back at cycle");
+    pty.shows("PAUSED");
+    let back = pty.cycle().unwrap();
+    pty.keys("cycle 700\r");
+    pty.reaches(back + 700);
+    pty.keys("export csv pile.csv\r");
+    pty.shows("rows in pile.csv");
+    pty.leave_prompt();
+    pty.keys(":q!\r");
+    assert_eq!(pty.end(), 0);
+
+    // What was gone back to has been overwritten since; the replay goes back to it nevertheless.
+    let exported = std::fs::read_to_string(pty.home.path().join("pile.csv")).unwrap();
+    let journal = pty.kept("journal");
+    let again = pty.home.path().join("again.csv");
+    let [journal, csv] = [&journal, &again].map(|path| path.to_str().unwrap());
+    let output = ballast(&["run", journal, "--csv", csv, "-q"]);
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success(), "{said}");
+    assert!(said.contains("the journal tells how it went on"), "{said}");
+    let again = std::fs::read_to_string(again).unwrap();
+    assert!(again.starts_with(&exported), "bit for bit");
+}
+
+#[test]
 fn every_size_is_survived() {
     let mut pty = Pty::start(120, 40, &["disc-pile"]);
     pty.shows("RUN");

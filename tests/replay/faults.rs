@@ -6,7 +6,7 @@ use ballast::record::journal::Journal;
 use ballast::session::{Budget, Replay, RunError, Session};
 
 use super::acts::{Act, folder, perform, run, typed};
-use super::repetition::{assert_replays, last_words, replayed};
+use super::repetition::{assert_replays, last_words, replayed, scene_of};
 use super::scene::{STAGES, open, with_stages};
 
 /// A disc that is driven into the floor after all stages: nothing but the fault tells how far the run

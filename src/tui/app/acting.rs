@@ -145,7 +145,11 @@ impl App {
             .as_ref()
             .map_or([[0.0; 2], [1.0; 2]], |frame| view::fitted(&frame.picture));
         match action {
-            Action::Toggle => return Effect::Order(Order::Toggle),
+            Action::Toggle => {
+                // A run that still cannot go on says so again.
+                self.failure = None;
+                return Effect::Order(Order::Toggle);
+            }
             Action::Cycle => return Effect::Order(Order::Line("cycle 1".into())),
             Action::Row => return Effect::Order(Order::Row),
             Action::Prompt => self.prompt.open_with(""),

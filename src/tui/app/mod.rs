@@ -7,6 +7,7 @@ use ratatui::layout::Rect;
 use ratatui::symbols::border;
 
 use crate::language::Command;
+use crate::session::Request;
 use crate::session::frames::Frame;
 use crate::session::worker::{Order, Report};
 use crate::tui::layout::{self, Arrangement, Class};
@@ -268,6 +269,10 @@ impl App {
                 self.say(Said::Line(line.clone()));
                 match reply {
                     Ok(reply) => {
+                        let restored = matches!(Command::parse(&line), Ok(Command::Restore(_)));
+                        if restored || reply.request == Some(Request::Run) {
+                            self.failure = None;
+                        }
                         if (line.starts_with("export") || line.starts_with("save"))
                             && let Some(frame) = &self.frame
                         {
