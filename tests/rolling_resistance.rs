@@ -59,6 +59,13 @@ fn swing(world: &World) -> f64 {
     (2.0 * energy / (1.4 * world.particles().mass[0])).sqrt()
 }
 
+/// Way that a ball rolls until its spring stands at the limit, N/(c k_n μ_r) [m].
+fn reach(world: &World, rolling: f64) -> f64 {
+    let [normal, _] = world.springs(0);
+    let overlap = world.geometry(0).overlap;
+    normal / (2.25 * world.pass().stiffness(0, overlap).k[0] * rolling)
+}
+
 fn laws() -> [LawChoice; 3] {
     [
         LawChoice::linear(),
@@ -93,7 +100,8 @@ fn a_rolling_sphere_comes_to_rest() {
             "{law:?}: {rest} {swing}"
         );
         run(&mut world, 60_000);
-        assert!((world.position(0)[0] - at).abs() < 2e-3 * RADIUS, "{law:?}");
+        let moved = (world.position(0)[0] - at).abs();
+        assert!(moved < 2.1 * reach(&world, rolling), "{law:?}: {moved}");
         let b = world.bookings().expect("booked");
         assert!(b.energy_error.abs() < 1e-4, "{law:?}: {}", b.energy_error);
         assert!(b.friction_loss > 0.5 * 0.7 * world.particles().mass[0] * v * v * 0.9);
@@ -110,7 +118,7 @@ fn an_incline_holds_it_or_not() {
         let moved = held.position(0)[0].abs();
         // Free it would have gone 5/14 g sin θ t² = 1.1 m.
         assert!(speed(&mut held).abs() <= swing(&held), "{law:?}");
-        assert!(moved < 2e-3 * RADIUS, "{law:?}: {moved}");
+        assert!(moved < 3.0 * reach(&held, rolling), "{law:?}: {moved}");
         let incline = (2.0 * rolling).atan();
         let mut free = world(on_a_floor(law, rolling, incline, 0.0));
         run(&mut free, 10_000);

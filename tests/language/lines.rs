@@ -207,7 +207,7 @@ const MISTAKES: &[(&str, &str, &str)] = &[
     ),
     (
         "inspect contact 4",
-        "`4` stands where a contact, I-J or I-WALL, is expected; usage: inspect contact I-J|I-WALL",
+        "`4` stands where a contact, I-J or I-WALL, is expected; usage: inspect contact I-J|I-WALL | off",
         "4",
     ),
     (
