@@ -19,6 +19,17 @@ use super::stress::Stress;
 /// Bars of the histograms that begin at zero.
 const BARS: usize = 16;
 
+/// How far a particle is from where it was at the reference.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Displaced {
+    /// Its number.
+    pub ball: u32,
+    /// Displacement [m].
+    pub u: [f64; 2],
+    /// Rotation, counter-clockwise [rad].
+    pub rotation: f64,
+}
+
 /// The measures of the default region.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Survey {
@@ -46,6 +57,8 @@ pub struct Survey {
     pub changes: Option<Changes>,
     /// The space lattice of the whole assembly against the reference [m]; empty without one.
     pub lattice: Vec<(Bond, [[f64; 2]; 2])>,
+    /// Displacements and rotations of all particles that were there at the reference.
+    pub displaced: Vec<Displaced>,
     /// Porosity by distance.
     pub profile: Profile,
 }
@@ -69,7 +82,20 @@ impl Survey {
             strain: region.strain().copied(),
             changes: region.changes().copied(),
             lattice: sample.reference().map(bonds).unwrap_or_default(),
+            displaced: displaced(sample),
             profile: Profile::of(world, region.shape(), RINGS),
         }
     }
+}
+
+fn displaced(sample: &Sample<'_>) -> Vec<Displaced> {
+    let Some(reference) = sample.reference() else {
+        return Vec::new();
+    };
+    let (world, ids) = (sample.world(), &sample.world().particles().id);
+    let moved = ids.iter().filter_map(|&ball| {
+        let (u, rotation) = reference.change(world, ball)?;
+        Some(Displaced { ball, u, rotation })
+    });
+    moved.collect()
 }

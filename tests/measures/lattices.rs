@@ -4,7 +4,7 @@
 //! difference of lengths up to 40 R, known to some 1e-13 of itself.
 
 use ballast::engine::World;
-use ballast::engine::setup::Body;
+use ballast::engine::setup::{Body, LawChoice, TimeStepChoice};
 use ballast::measure::contact_area::{ContactArea, normal_stresses};
 use ballast::measure::fourier::Fourier;
 use ballast::measure::fourth::FourthFabric;
@@ -14,7 +14,7 @@ use ballast::measure::rose::{PETALS, Rose};
 use nalgebra::Matrix2;
 use std::f64::consts::PI;
 
-use crate::packing::{K, Measured, built, close, lattice, measured, setup, wall};
+use crate::packing::{K, Measured, built, close, lattice, measured, run, setup, wall};
 
 const OVERLAP: f64 = 0.02;
 const D: f64 = 2.0 - OVERLAP;
@@ -232,6 +232,85 @@ fn hexagonal_packing() {
         assert_eq!(full.len(), 36);
         assert_eq!(full[6], full[24]);
     }
+}
+
+/// Moduli per unit thickness of springs k_n and k_s on a hexagonal lattice, from the sum over its
+/// three directions: in a lattice the strain is the same everywhere.
+#[test]
+fn a_hexagonal_packing_is_as_stiff_as_its_springs() {
+    let overlap = 1e-4;
+    let d = 2.0 - overlap;
+    let row = d * 3f64.sqrt() / 2.0;
+    let discs = lattice([d, 0.0], [0.5 * d, row], 20.0);
+    let period = rectangle([-4.3, -5.7], [5.0 * d, 6.0 * row]);
+    let strain = 1e-6;
+    for ratio in [2.0 / 3.0, 1.0] {
+        let (kn, ks) = (K, ratio * K);
+        let c11 = 3f64.sqrt() / 4.0 * (3.0 * kn + ks);
+        let c12 = 3f64.sqrt() / 4.0 * (kn - ks);
+        // Poisson's ratio of the plane.
+        assert!(close(c12 / c11, (1.0 - ratio) / (3.0 + ratio), 1e-14, 1.0));
+        for (e, stress) in [
+            ([1.0, 0.0, 0.0], [c11, c12, 0.0]),
+            ([0.0, 1.0, 0.0], [c12, c11, 0.0]),
+            ([0.0, 0.0, 1.0], [0.0, 0.0, c11 - c12]),
+        ] {
+            let mut setup = setup(&discs);
+            setup.materials[0].friction = 10.0;
+            setup.materials[0].shear_stiffness = Some(ks);
+            (setup.time_step, setup.frac) = (TimeStepChoice::Seconds(1.0), 1.0);
+            for particle in &mut setup.particles {
+                // Compression positive; shear without rotation.
+                let [x, y] = particle.at;
+                particle.fixed = [true; 3];
+                particle.velocity = [e[0] * x + e[2] * y, e[2] * x + e[1] * y].map(|u| -strain * u);
+            }
+            let mut world = built(setup);
+            let before = measured(&world, period).stress.total;
+            run(&mut world, 1);
+            let more = (measured(&world, period).stress.total - before) / strain;
+            // The forces there are turn with the contacts and act on shorter sides: 1e-4 of the
+            // stiffness; friction of 10 is far from used.
+            let found = [
+                more[(0, 0)],
+                more[(1, 1)],
+                0.5 * (more[(0, 1)] + more[(1, 0)]),
+            ];
+            for (found, exact) in found.into_iter().zip(stress) {
+                assert!(close(found, exact, 2e-4, kn), "{ratio} {e:?}: {more}");
+            }
+        }
+    }
+}
+
+/// What laws of Hertz make of a contact: its stiffness is 2 E* a, whatever a is called.
+#[test]
+fn spheres_of_hertz_touch_in_the_circle_of_their_geometry() {
+    // Thesis, 5.2: spheres of 10 mm, E = 210 GPa, ν = 0.3 under 88 N.
+    let young_eff = 210e9 / (2.0 * (1.0 - 0.09));
+    let overlap = 4.029_7e-6;
+    let mut pair = setup(&[([0.0, 0.0], 0.01), ([0.02 - overlap, 0.0], 0.01)]);
+    pair.body = Body::Sphere;
+    pair.law = LawChoice::named("hertz").expect("there is one");
+    pair.materials[0].young = Some(210e9);
+    pair.materials[0].poisson = Some(0.3);
+    (pair.time_step, pair.frac) = (TimeStepChoice::Seconds(1e-7), 1.0);
+    let world = built(pair);
+    let area = ContactArea::of(&world, 0);
+    assert!(close(area.radius, 141.95e-6, 1e-4, 141.95e-6), "{area:?}");
+    // The centres are known to 1e-18 of 0.02, the overlap of 4e-6 to 1e-12, its root to half of that.
+    let stiffness = world.pass().stiffness(0, world.geometry(0).overlap).k[0];
+    let exact = 2.0 * young_eff * area.radius;
+    assert!(close(stiffness, exact, 1e-11, exact), "{stiffness} {exact}");
+    let force = world.reaction(0).normal;
+    assert!(close(force, 88.0, 1e-4, 88.0), "{force}");
+    // Hertz: the mean stress is two thirds of the largest, 2 E* a/(π R*).
+    let [mean, _] = area.stress(force, 0.0);
+    let largest = 2.0 * young_eff * area.radius / (PI * 0.005);
+    assert!(
+        close(mean, largest * 2.0 / 3.0, 1e-11, mean),
+        "{mean} {largest}"
+    );
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use ballast::measure::columns::Column;
 use ballast::measure::sample::Sample;
+use ballast::measure::survey::Displaced;
 use ballast::scene::Scene;
 use ballast::session::frames::{Shown, Wants};
 use ballast::session::{Budget, Options, Session};
@@ -14,9 +15,9 @@ fn a_survey_agrees_with_the_columns() {
         until_cycle: Some(cycle),
         time: None,
     };
-    session.advance(until(2000), false).unwrap();
+    session.advance(until(7000), false).unwrap();
     session.type_line("reference").unwrap();
-    session.advance(until(2500), false).unwrap();
+    session.advance(until(8300), false).unwrap();
     let frame =
         |session: &mut Session, wants| session.frame(wants, 0.0, false, &mut Shown::default());
     let bare = frame(&mut session, Wants::default());
@@ -43,6 +44,12 @@ fn a_survey_agrees_with_the_columns() {
     assert_eq!(changes.kept + changes.made, contacts);
     assert!(survey.lattice.len() as f64 <= contacts + changes.broken);
     assert!(survey.strain.unwrap().particles == 105);
+    assert_eq!(survey.displaced.len(), 105);
+    // Nothing turns in this pile, but it collapses.
+    let moved = |of: &Displaced| of.u[0].abs() + of.u[1].abs();
+    assert!(survey.displaced.iter().map(moved).fold(0.0, f64::max) > 0.01);
+    assert!(survey.displaced.iter().all(|of| of.rotation == 0.0) && changes.rotation_max == 0.0);
+    assert!(changes.broken > 10.0, "{changes:?}");
     let sample = Sample::of(session.world_mut());
     let value = |name: &str| sample.value(&Column::parse(name).unwrap());
     for (name, found) in [

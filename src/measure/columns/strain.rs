@@ -1,5 +1,5 @@
-//! Strain of a region and its rate, compression positive: what its particles have in common. Without
-//! the name of a region, strain is what boundaries impose.
+//! Strain of a region and its rate, compression positive: what its particles have in common. The same
+//! names without a region belong to the strain that boundaries impose.
 
 use super::card::Row;
 use super::read::{Read, named};
