@@ -12,7 +12,7 @@ use ballast::scene::catalogue::PRESETS;
 use program::{ballast, said};
 
 /// What is asked of the program besides the workbench.
-const SUBCOMMANDS: [&str; 11] = [
+const SUBCOMMANDS: [&str; 12] = [
     "run",
     "check",
     "presets",
@@ -22,6 +22,7 @@ const SUBCOMMANDS: [&str; 11] = [
     "commands",
     "keys",
     "verify",
+    "study",
     "completions",
     "man",
 ];

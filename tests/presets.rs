@@ -164,3 +164,55 @@ fn the_table_is_plain_where_there_is_no_terminal() {
         "{table}"
     );
 }
+
+#[test]
+fn the_findings_can_be_had_as_csv() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let words = ["verify", "two-discs", "rolling-disc", "--csv"];
+    let to_file = ballast(folder.path(), &[&words[..], &["findings.csv"]].concat());
+    assert_eq!(to_file.status.code(), Some(0), "{}", said(&to_file));
+    let table = String::from_utf8_lossy(&to_file.stdout).into_owned();
+    assert!(table.contains("11 PASS, 0 DIFFERS, 0 FAIL"), "{table}");
+    let csv = std::fs::read(folder.path().join("findings.csv")).expect("it is written");
+    let to_stdout = ballast(folder.path(), &[&words[..], &["-"]].concat());
+    assert!(to_stdout.stdout == csv, "the same bytes");
+    let mut reader = csv::Reader::from_reader(csv.as_slice());
+    let header = reader.headers().expect("there is one").clone();
+    let names = [
+        "preset", "stage", "what", "value", "expected", "within", "verdict", "source", "remark",
+    ];
+    assert_eq!(header.iter().collect::<Vec<_>>(), names);
+    let rows: Vec<_> = reader
+        .records()
+        .map(|row| row.expect("it is whole"))
+        .collect();
+    assert_eq!(rows.len(), 11);
+    for row in &rows {
+        let number = |k: usize| -> f64 { row[k].parse().expect("a number") };
+        assert!((number(3) - number(4)).abs() <= number(5), "{row:?}");
+        assert_eq!(&row[6], "PASS");
+    }
+    let nowhere = ballast(folder.path(), &[&words[..], &["no/file"]].concat());
+    assert_eq!(nowhere.status.code(), Some(1));
+    assert!(nowhere.stdout.is_empty() && said(&nowhere).contains("there is no folder"));
+}
+
+#[test]
+fn a_run_that_fails_is_a_failed_preset() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let words = ["verify", "square-lattice", "two-discs", "--csv", "f.csv"];
+    // Far beyond the limit the lattice flies apart; the other preset is run all the same.
+    let set = ["--set", "model.frac=4"];
+    let output = ballast(folder.path(), &[&words[..], &set].concat());
+    assert_eq!(output.status.code(), Some(3), "{}", said(&output));
+    let table = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(
+        table.contains("reduce frac") && table.contains("two-discs ("),
+        "{table}"
+    );
+    let csv = std::fs::read_to_string(folder.path().join("f.csv")).expect("it is written");
+    assert!(
+        csv.contains("square-lattice,,the run,nan,nan,nan,FAIL,"),
+        "{csv}"
+    );
+}

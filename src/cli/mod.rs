@@ -4,12 +4,14 @@
 //! done, 1 the run failed with everything recorded so far kept, 2 bad input or usage, 3 `verify`
 //! failed, 128 + signal when interrupted with everything saved.
 
+mod aligned;
 mod check;
 mod lists;
 mod output;
 mod pages;
 mod progress;
 mod run;
+mod study;
 mod verify;
 mod workbench;
 
@@ -97,6 +99,8 @@ enum Command {
     Keys,
     /// Run presets against their [[expect]]: PASS, DIFFERS (with the reason) or FAIL
     Verify(Verify),
+    /// Run a preset with several time steps and laws: wall time, rates, errors, the Pareto front
+    Study(Study),
     /// Print completions for a shell
     Completions {
         /// bash, zsh, fish, elvish or powershell
@@ -153,6 +157,54 @@ struct Check {
     set: Vec<String>,
 }
 
+/// Options of `study`. What is not given is as the table [study] of the preset says.
+#[derive(Debug, Args)]
+#[command(
+    long_about = "Run a preset with several time steps and laws, each over the same simulated \
+    time, and print how long each takes and how wrong it is: wall time (median of repeated runs \
+    without rows and energies), particle-steps and contact updates per second, the smallest stability \
+    bound, whether the run stayed stable, the energy the ledger misses, and the error of what is asked \
+    with its order of convergence. Exact answers are taken from [[answer]] or narrow [[expect]], \
+    else from the finest run. Writes the numbers as CSV and a picture as SVG."
+)]
+struct Study {
+    /// Preset (embedded name or file)
+    preset: String,
+    /// Multiples of the time step (FRAC) to run with [default: the preset's, 1/2, 1/4, 1/8 of it]
+    #[arg(long, value_name = "X,X,...", value_delimiter = ',', allow_negative_numbers = true, value_parser = positive)]
+    frac: Vec<f64>,
+    /// Contact laws to run with [default: the preset's]
+    #[arg(long, value_name = "LAW,LAW,...", value_delimiter = ',')]
+    law: Vec<String>,
+    /// Another key to vary, for instance material.disc.friction=0.1,0.3; every combination is run
+    #[arg(long, value_name = "KEY=VALUE,VALUE,...")]
+    sweep: Vec<String>,
+    /// What errors are of: columns, expressions, quantities such as last(kinetic), names of answers
+    #[arg(long = "for", value_name = "COLUMN,COLUMN,...")]
+    questions: Vec<String>,
+    /// Run that the others are compared with [default: the first law with the smallest frac]
+    #[arg(long, value_name = "LAW@FRAC")]
+    reference: Option<String>,
+    /// Mark the fastest run whose error is within this
+    #[arg(long, value_name = "ERROR", allow_negative_numbers = true, value_parser = positive)]
+    within: Option<f64>,
+    /// Search the largest FRAC with which the run neither faults nor gains energy, instead
+    #[arg(long, conflicts_with_all = ["frac", "questions", "reference", "within", "output"])]
+    stability: bool,
+    /// Write STEM.csv and STEM.svg [default: PRESET-study]
+    #[arg(long, short, value_name = "STEM")]
+    output: Option<PathBuf>,
+    /// Override a key of the preset
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    set: Vec<String>,
+    /// Number of threads
+    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=64))]
+    threads: u16,
+    /// No progress and no messages
+    #[arg(long, short)]
+    quiet: bool,
+}
+
 /// Options of `verify`.
 #[derive(Debug, Args)]
 struct Verify {
@@ -161,6 +213,9 @@ struct Verify {
     /// Every embedded preset
     #[arg(long)]
     all: bool,
+    /// Write the findings as CSV to this file; -: to standard output, instead of the tables
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
     /// Override a key of every preset
     #[arg(long = "set", value_name = "KEY=VALUE")]
     set: Vec<String>,
@@ -200,6 +255,7 @@ pub fn main() -> ExitCode {
         Some(Command::Commands { name }) => lists::commands(name.as_deref()),
         Some(Command::Keys) => lists::keys(),
         Some(Command::Verify(options)) => verify::verify(&options),
+        Some(Command::Study(options)) => study::study(&options),
         Some(Command::Completions { shell }) => pages::completions(shell, &mut Cli::command()),
         Some(Command::Man) => pages::man(Cli::command()),
     };

@@ -10,10 +10,10 @@ use super::output::tell;
 use crate::session::Session;
 
 /// Plain lines come this often.
-const LINES: Duration = Duration::from_secs(10);
+pub(super) const LINES: Duration = Duration::from_secs(10);
 
 /// Runs shorter than this show nothing.
-const PATIENCE: Duration = Duration::from_secs(1);
+pub(super) const PATIENCE: Duration = Duration::from_secs(1);
 
 /// Shows how far a session is.
 pub(super) struct Progress {
@@ -22,6 +22,8 @@ pub(super) struct Progress {
     /// Cycle at which the run stops by order.
     stop: Option<u64>,
     quiet: bool,
+    /// What comes before the place: the preset, where there are several.
+    title: String,
     bar: Option<ProgressBar>,
     next_line: Duration,
 }
@@ -34,8 +36,17 @@ impl Progress {
             first_cycle: session.world().cycle_number(),
             stop,
             quiet,
+            title: String::new(),
             bar: None,
             next_line: LINES,
+        }
+    }
+
+    /// The same, named.
+    pub(super) fn titled(self, title: &str) -> Self {
+        Self {
+            title: format!("{title}  "),
+            ..self
         }
     }
 
@@ -49,9 +60,10 @@ impl Progress {
         let rate = (cycle - self.first_cycle) as f64 / elapsed.as_secs_f64();
         let end = self.end(session);
         let (stage, stages) = session.stage_number();
+        let title = &self.title;
         let place = match session.stage_name() {
-            "" => String::new(),
-            name => format!("{name} {}/{stages}  ", stage + 1),
+            "" => title.clone(),
+            name => format!("{title}{name} {}/{stages}  ", stage + 1),
         };
         if std::io::stderr().is_terminal() {
             let bar = self.bar.get_or_insert_with(|| {

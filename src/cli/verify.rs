@@ -1,89 +1,161 @@
 //! `ballast verify`: presets against their expectations.
 
 use std::fmt::Write;
+use std::path::Path;
 use std::time::{Duration, Instant};
 
-use super::output::{coloured, complain, load, print};
+use super::aligned::aligned;
+use super::check::duration;
+use super::output::{coloured, complain, load, print, tell};
 use super::progress::Progress;
 use super::{BAD_INPUT, FAILED, Verify};
 use crate::record::interrupt::Interrupt;
+use crate::record::whole_file;
+use crate::scene::Scene;
 use crate::scene::catalogue::PRESETS;
 use crate::session::figure::figure;
-use crate::study::verify::{Finding, Outcome, Verdict, verify as measure};
+use crate::session::{Options, Session};
+use crate::study::trial::Trial;
+use crate::study::verify::{Finding, Outcome, Verdict, csv, verify as measure};
 
 /// Some expectation failed.
 const NOT_VERIFIED: u8 = 3;
 
+/// Without names, presets are run that take less than this in all [s].
+const BARE: f64 = 600.0;
+
+/// What the presets marked `quick` take of it, all together [s]: the tests hold them to that.
+const QUICK: f64 = 90.0;
+
 /// Runs them; answers the exit status.
 pub(super) fn verify(options: &Verify) -> u8 {
-    let names: Vec<String> = if options.presets.is_empty() || options.all {
-        PRESETS
-            .iter()
-            .map(|preset| preset.name.to_owned())
-            .collect()
-    } else {
-        options.presets.clone()
-    };
     let Ok(interrupt) = Interrupt::install() else {
         complain("signals cannot be caught");
         return FAILED;
     };
-    // All are read before the first runs.
-    let mut scenes = Vec::new();
-    for name in &names {
-        let Some(scene) = load(name, &options.set) else {
-            return BAD_INPUT;
-        };
-        if scene.expects.is_empty() && !options.presets.is_empty() {
-            complain(&format!(
-                "{name} has no [[expect]], so there is nothing to verify; say in it what must come out"
-            ));
-            return BAD_INPUT;
-        }
-        scenes.push(scene);
+    if let Some(Err(error)) = table_file(options).map(whole_file::probe) {
+        complain(&error.to_string());
+        return FAILED;
     }
+    // All are read before the first runs.
+    let Some(scenes) = chosen(options) else {
+        return BAD_INPUT;
+    };
+    let to_stdout = options.csv.as_deref() == Some(Path::new("-"));
     let colour = coloured(&std::io::stdout());
-    let (mut good, mut differing, mut bad) = (0, 0, 0);
+    let mut outcomes = Vec::new();
+    let mut signal = None;
     for scene in scenes {
         let name = scene.name.clone();
         let start = Instant::now();
         let mut progress: Option<Progress> = None;
         let outcome = measure(scene, usize::from(options.threads), &mut |session| {
             progress
-                .get_or_insert_with(|| Progress::new(session, None, false))
+                .get_or_insert_with(|| Progress::new(session, None, false).titled(&name))
                 .show(session);
             interrupt.caught().is_none()
         });
         if let Some(progress) = &mut progress {
             progress.clear();
         }
-        if let Some(signal) = interrupt.caught() {
+        signal = interrupt.caught();
+        if let Some(signal) = signal {
             complain(&format!("{} while verifying {name}", signal.name));
-            return signal.exit_status();
+            break;
         }
-        let text = match outcome {
-            Ok(outcome) => {
-                let count = |v: Verdict| outcome.findings.iter().filter(|f| f.verdict == v).count();
-                good += count(Verdict::Pass);
-                differing += count(Verdict::Differs);
-                bad += count(Verdict::Fail) + outcome.cut_short.len();
-                table(&outcome, start.elapsed(), colour)
+        let outcome = outcome.unwrap_or_else(|error| Outcome::failed(&name, &error));
+        if !to_stdout {
+            let printed = print(&(table(&outcome, start.elapsed(), colour) + "\n"));
+            if printed != 0 {
+                return printed;
             }
-            Err(error) => {
-                bad += 1;
-                format!("{name}\n  {} {error}\n", shown(Verdict::Fail, colour))
+        }
+        outcomes.push(outcome);
+    }
+    let concluded = conclude(&outcomes, options);
+    signal.map_or(concluded, crate::record::interrupt::Signal::exit_status)
+}
+
+/// The presets to run; `None` after saying what is wrong with one.
+fn chosen(options: &Verify) -> Option<Vec<Scene>> {
+    let bare = options.presets.is_empty();
+    let names: Vec<&str> = if bare || options.all {
+        PRESETS.iter().map(|preset| preset.name).collect()
+    } else {
+        options.presets.iter().map(String::as_str).collect()
+    };
+    let mut scenes = Vec::new();
+    for name in names {
+        let scene = load(name, &options.set)?;
+        if scene.expects.is_empty() && !bare {
+            complain(&format!(
+                "{name} has no [[expect]], so there is nothing to verify; say in it what must come \
+                 out"
+            ));
+            return None;
+        }
+        scenes.push(scene);
+    }
+    if bare && !options.all {
+        scenes = affordable(scenes);
+    }
+    Some(scenes)
+}
+
+/// Those that take less than ten minutes in all; says which are left out.
+fn affordable(scenes: Vec<Scene>) -> Vec<Scene> {
+    let mut left = BARE - QUICK;
+    let mut kept = Vec::new();
+    for scene in scenes {
+        if scene.about.quick {
+            kept.push(scene);
+            continue;
+        }
+        let session = Session::open(scene.clone(), Options::default());
+        let estimate = session.ok().and_then(|s| Trial::of(s).estimate());
+        match estimate {
+            Some(seconds) if seconds <= left => {
+                left -= seconds;
+                kept.push(scene);
             }
-        };
-        let printed = print(&(text + "\n"));
-        if printed != 0 {
-            return printed;
+            _ => {
+                let long = estimate.map_or("nobody knows how long".into(), duration);
+                let name = &scene.name;
+                tell(&format!(
+                    "left out: {name} ({long}); `ballast verify {name}` and --all run it"
+                ));
+            }
         }
     }
-    let printed = print(&format!("{good} PASS, {differing} DIFFERS, {bad} FAIL\n"));
+    kept
+}
+
+/// Counts, the file, the exit status.
+fn conclude(outcomes: &[Outcome], options: &Verify) -> u8 {
+    let count = |verdict| -> usize { outcomes.iter().map(|o| o.count(verdict)).sum() };
+    let [good, differing, bad] = [Verdict::Pass, Verdict::Differs, Verdict::Fail].map(count);
+    let printed = match options.csv.as_deref() {
+        Some(path) if path == Path::new("-") => print(&String::from_utf8_lossy(&csv(outcomes))),
+        _ => print(&format!("{good} PASS, {differing} DIFFERS, {bad} FAIL\n")),
+    };
+    if let Some(path) = table_file(options)
+        && let Err(error) = whole_file::write(path, &csv(outcomes))
+    {
+        complain(&error.to_string());
+        return FAILED;
+    }
     match (bad, printed) {
         (0, printed) => printed,
         _ => NOT_VERIFIED,
     }
+}
+
+/// The file that gets the table as CSV, if one does.
+fn table_file(options: &Verify) -> Option<&Path> {
+    options
+        .csv
+        .as_deref()
+        .filter(|path| *path != Path::new("-"))
 }
 
 /// One line per expectation with its figures, and one with its source.
@@ -94,21 +166,17 @@ fn table(outcome: &Outcome, elapsed: Duration, colour: bool) -> String {
         outcome.cycles,
         elapsed.as_secs_f64()
     );
-    let mut rows = vec![["stage", "value", "expected", "off by", "within"].map(str::to_owned)];
+    let head = ["stage", "value", "expected", "off by", "within", "what"];
+    let mut rows = vec![head.map(str::to_owned).to_vec()];
     rows.extend(outcome.findings.iter().map(figures));
-    let width = |k: usize| rows.iter().map(|row| row[k].chars().count()).max();
-    let widths: Vec<usize> = (0..5).map(|k| width(k).unwrap_or(0)).collect();
-    let line = |row: &[String; 5]| {
-        let mut line = format!("{:w$}", row[0], w = widths[0]);
-        for (cell, w) in row.iter().zip(&widths).skip(1) {
-            let _ = write!(line, "  {cell:>w$}");
-        }
-        line
-    };
-    let _ = writeln!(text, "  {:7}  {}  what", "verdict", line(&rows[0]));
-    for (finding, row) in outcome.findings.iter().zip(&rows[1..]) {
-        let verdict = shown(finding.verdict, colour);
-        let _ = writeln!(text, "  {verdict}  {}  {}", line(row), finding.what);
+    if let Some(failure) = &outcome.failure {
+        let _ = writeln!(text, "  {}  {failure}", shown(Verdict::Fail, colour));
+        return text;
+    }
+    let lines = aligned(&rows, 1, 5);
+    let _ = writeln!(text, "  {:7}  {}", "verdict", lines[0]);
+    for (finding, line) in outcome.findings.iter().zip(&lines[1..]) {
+        let _ = writeln!(text, "  {}  {line}", shown(finding.verdict, colour));
         let mut remark = |remark: &str| {
             if !remark.is_empty() {
                 let _ = writeln!(text, "  {:7}  {remark}", "");
@@ -130,7 +198,7 @@ fn table(outcome: &Outcome, elapsed: Duration, colour: bool) -> String {
     text
 }
 
-fn figures(finding: &Finding) -> [String; 5] {
+fn figures(finding: &Finding) -> Vec<String> {
     let (value, off) = match &finding.value {
         Ok(value) => (figure(*value), figure((value - finding.expected).abs())),
         Err(_) => ("-".into(), "-".into()),
@@ -139,25 +207,52 @@ fn figures(finding: &Finding) -> [String; 5] {
         "" => "(all)".to_owned(),
         stage => stage.to_owned(),
     };
-    [
+    vec![
         stage,
         value,
         figure(finding.expected),
         off,
         figure(finding.band),
+        finding.what.clone(),
     ]
 }
 
 /// A verdict, seven characters wide, coloured on a terminal.
 fn shown(verdict: Verdict, colour: bool) -> String {
-    let (word, code) = match verdict {
-        Verdict::Pass => ("PASS", 32),
-        Verdict::Differs => ("DIFFERS", 33),
-        Verdict::Fail => ("FAIL", 31),
+    let word = verdict.word();
+    let code = match verdict {
+        Verdict::Pass => 32,
+        Verdict::Differs => 33,
+        Verdict::Fail => 31,
     };
     if colour {
         format!("\x1b[{code}m{word:7}\x1b[0m")
     } else {
         format!("{word:7}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_presets_are_left_to_those_who_ask_for_them() {
+        let kept = |set: &[&str]| {
+            let set: Vec<String> = set.iter().map(|option| (*option).to_owned()).collect();
+            let scene = Scene::load("square-lattice", &set).unwrap();
+            affordable(vec![scene]).len()
+        };
+        // Ten thousand million cycles take hours on any machine.
+        let long = "stage.nudge.max_cycles=10_000_000_000";
+        assert_eq!(kept(&[]), 1);
+        assert_eq!(kept(&["about.quick=false"]), 1);
+        assert_eq!(kept(&["about.quick=false", long]), 0);
+        // A mark is a promise that the tests hold.
+        assert_eq!(kept(&[long]), 1);
+        let text = Scene::load("square-lattice", &[]).unwrap().text;
+        let text = text.replace("max_cycles = 5000", "until = \"kinetic > 1\"");
+        let scene = Scene::parse("endless", &text, &["about.quick=false".to_owned()]).unwrap();
+        assert!(affordable(vec![scene]).is_empty());
     }
 }

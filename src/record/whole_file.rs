@@ -53,6 +53,20 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), RecordError> {
     sync_folder(&target).map_err(failed(Attempt::Sync))
 }
 
+/// Whether a file could be written there, by making one beside it for a moment.
+pub fn probe(path: &Path) -> Result<(), RecordError> {
+    let failed = |error| RecordError::new(path, Attempt::Create, error);
+    if path.is_dir() {
+        return Err(failed(io::ErrorKind::IsADirectory.into()));
+    }
+    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
+    if fs::metadata(&target).is_ok_and(|old| !old.is_file()) {
+        return Ok(());
+    }
+    let made = tempfile::Builder::new().tempfile_in(folder_of(&target));
+    made.map(drop).map_err(failed)
+}
+
 /// Returns once the name of `path` in its folder would survive a power cut.
 pub(super) fn sync_folder(path: &Path) -> io::Result<()> {
     match File::open(folder_of(path)).and_then(|folder| folder.sync_all()) {
@@ -139,6 +153,12 @@ mod tests {
         );
         let taken = write(folder.path(), b"").unwrap_err();
         assert!(taken.to_string().contains("it is a folder"), "{taken}");
+        for path in [folder.path().join("no/file"), folder.path().to_owned()] {
+            let foreseen = probe(&path).unwrap_err();
+            let happened = write(&path, b"").unwrap_err();
+            assert_eq!(foreseen.to_string(), happened.to_string());
+        }
+        probe(&folder.path().join("file")).unwrap();
         assert!(names_in(folder.path()).is_empty());
     }
 }

@@ -2,12 +2,14 @@
 //! are checked against each other at the end.
 
 use super::dump::Dump;
+use super::answer::Answer;
 use super::expect::Expect;
 use super::history::History;
 use super::phrase;
 use super::place::{Place, quoted};
 use super::problem::{Problem, Report};
 use super::stage::Stage;
+use super::study::Study;
 use super::{about::About, reader::Reader};
 use crate::engine::setup::{
     Body, Damping, LawChoice, NormalForm, Setup, TimeStepChoice, Unloading,
@@ -45,6 +47,10 @@ pub(crate) struct Draft<'a> {
     pub(crate) expects: Vec<Expect>,
     /// `[history.define]`, each with its text and place.
     pub(crate) definitions: Vec<(Arc<Definition>, &'a str, Place)>,
+    /// `[[answer]]`.
+    pub(crate) answers: Vec<Answer>,
+    /// `[study]`.
+    pub(crate) study: Study,
     /// What commands may name; follows the commands of the stages.
     pub(crate) known: Known,
     /// Every wall, region and particle that is there at some time: columns may name them all.
@@ -104,6 +110,8 @@ impl<'a> Draft<'a> {
             stages: Vec::new(),
             expects: Vec::new(),
             definitions: Vec::new(),
+            answers: Vec::new(),
+            study: Study::default(),
             known: Known::default(),
             ever: Names::default(),
             model: Mark {
@@ -132,6 +140,19 @@ impl<'a> Draft<'a> {
             );
         }
         found
+    }
+
+    /// Reports the name of a stage that is not there.
+    pub(crate) fn check_stage(&self, name: &str, place: Place) {
+        let stages = self.stages.iter().map(|(stage, _)| stage.name.as_str());
+        if stages.clone().any(|stage| stage == name) {
+            return;
+        }
+        self.report.add(
+            Problem::new(format!("there is no stage {}", quoted(name)), place)
+                .expected("expected the name of a [[stage]]")
+                .remedy(nearest(name, stages)),
+        );
     }
 
     /// Reports a column that names what is not there.

@@ -3,12 +3,9 @@
 use super::draft::Draft;
 use super::key::{Absent, Bounds, Form, Key};
 use super::phrase;
-use super::place::quoted;
-use super::problem::Problem;
 use super::reader::Reader;
 use super::section::{Section, Shape};
 use crate::language::Quantity;
-use crate::measure::columns::nearest;
 
 /// A number that a run must reproduce.
 #[derive(Debug, Clone, PartialEq)]
@@ -156,14 +153,7 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
 
 fn stage(reader: &Reader<'_>, draft: &Draft<'_>) -> Option<String> {
     let (name, place) = reader.text("stage")?;
-    let stages = draft.stages.iter().map(|(stage, _)| stage.name.as_str());
-    if !stages.clone().any(|stage| stage == name) {
-        draft.report.add(
-            Problem::new(format!("there is no stage {}", quoted(name)), place)
-                .expected("expected the name of a [[stage]]")
-                .remedy(nearest(name, stages)),
-        );
-    }
+    draft.check_stage(name, place);
     Some(name.to_owned())
 }
 

@@ -25,6 +25,8 @@ pub(crate) enum Form {
     Number(Bounds),
     /// Two numbers: a point or a vector.
     Vector,
+    /// A list of numbers within bounds.
+    Numbers(Bounds),
     /// A whole number between two.
     Count(u64, u64),
     /// true or false.
@@ -140,6 +142,7 @@ impl fmt::Display for Form {
         match self {
             Self::Number(bounds) => bounds.fmt(f),
             Self::Vector => f.write_str("[number, number]"),
+            Self::Numbers(bounds) => write!(f, "list of numbers [...], each a {bounds}"),
             Self::Count(low, u64::MAX) => write!(f, "whole number from {low} to 2^64 - 1"),
             Self::Count(low, COUNT_MAX) => write!(f, "whole number from {low} to 2^53"),
             Self::Count(low, high) => write!(f, "whole number from {low} to {high}"),

@@ -9,6 +9,7 @@
 pub mod catalogue;
 
 mod about;
+mod answer;
 mod damping;
 mod define;
 mod document;
@@ -35,17 +36,20 @@ mod rejection;
 mod requirements;
 mod section;
 mod stage;
+mod study;
 mod wall;
 
 use std::path::{Path, PathBuf};
 
 pub use about::About;
 pub use dump::Dump;
+pub use answer::Answer;
 pub use expect::{Band, Differs, Expect};
 pub use history::History;
 pub use reference::{reference_table, reference_text};
 pub use rejection::Rejection;
 pub use stage::Stage;
+pub use study::{Question, Reference, Study, Sweep, elements};
 
 use crate::engine::setup::Setup;
 use crate::language::{Definitions, Observable};
@@ -69,6 +73,8 @@ const SECTIONS: &[Section] = &[
     history::SECTION,
     dump::SECTION,
     expect::SECTION,
+    answer::SECTION,
+    study::SECTION,
 ];
 
 /// A preset that has been read and checked.
@@ -98,6 +104,10 @@ pub struct Scene {
     pub stages: Vec<Stage>,
     /// What must come out.
     pub expects: Vec<Expect>,
+    /// What an exact run would give.
+    pub answers: Vec<Answer>,
+    /// What a study varies and measures.
+    pub study: Study,
     /// Seed of everything random.
     pub seed: u64,
     /// Conditions that read columns are tested every so many cycles; `None`: as `history.every`.
@@ -152,7 +162,7 @@ impl Scene {
         };
         let mut sources = vec![source];
         sources.extend(overrides.iter().map(|text| Source {
-            title: "--set".to_owned(),
+            title: study::option(text).unwrap_or("--set".to_owned()),
             text: text.clone(),
         }));
         let report = Report::new(sources);
@@ -203,6 +213,8 @@ impl Scene {
             dump: draft.dump,
             stages,
             expects: draft.expects,
+            answers: draft.answers,
+            study: draft.study,
             seed: draft.seed,
         }
     }

@@ -171,20 +171,25 @@ fn misshapen(section: &Section, node: &Node) -> Problem {
         .remedy(remedy)
 }
 
+/// "did you mean ...?" when a table is near a wrong name, else the list of all.
+pub(crate) fn nearest_table(wrong: &str) -> String {
+    let names: Vec<&str> = super::SECTIONS.iter().map(|section| section.name).collect();
+    let near = nearest(wrong, names.iter().copied());
+    if near.starts_with("the nearest") {
+        format!("{near}; there is {}", names.join(", "))
+    } else {
+        near
+    }
+}
+
 fn unknown(entry: &Entry) -> Problem {
     let owners: Vec<String> = super::SECTIONS
         .iter()
         .filter(|section| section.keys.iter().any(|key| key.name == entry.key))
         .map(|section| section.header("NAME"))
         .collect();
-    let names = super::SECTIONS.iter().map(|section| section.name);
-    let near = nearest(&entry.key, names);
     let remedy = match (&entry.node.value, owners.first()) {
-        (Value::Table(_) | Value::List(_), _) | (_, None) if near.starts_with("the nearest") => {
-            let names: Vec<&str> = super::SECTIONS.iter().map(|s| s.name).collect();
-            format!("{near}; there is {}", names.join(", "))
-        }
-        (Value::Table(_) | Value::List(_), _) | (_, None) => near,
+        (Value::Table(_) | Value::List(_), _) | (_, None) => nearest_table(&entry.key),
         (_, Some(_)) => format!("`{}` is a key of {}", entry.key, owners.join(" and of ")),
     };
     Problem::new(

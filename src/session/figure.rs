@@ -29,6 +29,12 @@ pub fn figure(x: f64) -> String {
     }
 }
 
+/// Three significant digits, for what is not known better: times, rates, errors.
+pub fn rough(x: f64) -> String {
+    let rounded = format!("{x:.2e}").parse();
+    figure(rounded.unwrap_or(x))
+}
+
 /// Two figures with a blank between them, as commands take them.
 pub fn vector(v: [f64; 2]) -> String {
     format!("{} {}", figure(v[0]), figure(v[1]))
@@ -94,6 +100,9 @@ mod tests {
         ] {
             assert_eq!(figure(x), text);
         }
+        assert_eq!(rough(0.012_349), "0.0123");
+        assert_eq!(rough(-9_996_000.0), "-1e7");
+        assert_eq!(rough(f64::NAN), "nan");
         assert_eq!(vector([0.5, -2e-9]), "0.5 -2e-9");
         assert_eq!(per_cent(0.0725), "7.25 %");
     }

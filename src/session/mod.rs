@@ -68,6 +68,8 @@ pub struct Session {
     safe: Option<(u64, Vec<u8>)>,
     /// When the next such state is due.
     safe_due: Option<std::time::Instant>,
+    /// No such state is wanted.
+    expendable: bool,
     /// For tests of what happens then: panic at this cycle.
     panic_at: Option<u64>,
 }

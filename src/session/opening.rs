@@ -17,6 +17,8 @@ pub struct Options {
     pub threads: usize,
     /// Seed given instead of the preset's, for the journal.
     pub seed: Option<u64>,
+    /// Keeps no state to go back to after a fault: for runs that are repeated anyway.
+    pub expendable: bool,
 }
 
 impl Session {
@@ -54,6 +56,7 @@ impl Session {
             reference,
             safe: None,
             safe_due: None,
+            expendable: options.expendable,
             panic_at: None,
         })
     }

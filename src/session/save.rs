@@ -75,6 +75,7 @@ impl Session {
         let cycle = self.world.cycle_number();
         if cycle > 0
             && self.world.fault().is_none()
+            && !self.expendable
             && let Ok(bytes) = self.encode()
         {
             self.safe = Some((cycle, bytes));
@@ -169,6 +170,7 @@ impl Session {
             reference,
             safe: None,
             safe_due: None,
+            expendable: false,
             panic_at: None,
         })
     }

@@ -1,5 +1,6 @@
 //! A preset against its `[[expect]]`.
 
+use crate::record::number::Cell;
 use crate::scene::{Band, Expect, Scene};
 use crate::session::{Budget, Options, Progress, RunError, Session};
 
@@ -12,6 +13,17 @@ pub enum Verdict {
     Differs,
     /// Neither.
     Fail,
+}
+
+impl Verdict {
+    /// The word for it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Pass => "PASS",
+            Self::Differs => "DIFFERS",
+            Self::Fail => "FAIL",
+        }
+    }
 }
 
 /// One expectation, measured.
@@ -44,6 +56,8 @@ pub struct Outcome {
     pub findings: Vec<Finding>,
     /// Stages that ended at `max_cycles` before their condition held.
     pub cut_short: Vec<String>,
+    /// Why the run ended before anything could be measured, if it did.
+    pub failure: Option<String>,
     /// Cycles that were run.
     pub cycles: u64,
 }
@@ -51,7 +65,29 @@ pub struct Outcome {
 impl Outcome {
     /// Whether nothing failed.
     pub fn is_good(&self) -> bool {
-        self.cut_short.is_empty() && self.findings.iter().all(|f| f.verdict != Verdict::Fail)
+        self.count(Verdict::Fail) == 0
+    }
+
+    /// How many came out so; a stage that was cut short failed.
+    pub fn count(&self, verdict: Verdict) -> usize {
+        let found = self.findings.iter().filter(|f| f.verdict == verdict);
+        match verdict {
+            Verdict::Fail => {
+                found.count() + self.cut_short.len() + usize::from(self.failure.is_some())
+            }
+            _ => found.count(),
+        }
+    }
+
+    /// A preset whose run failed: nothing could be measured.
+    pub fn failed(preset: &str, error: &RunError) -> Self {
+        Self {
+            preset: preset.to_owned(),
+            findings: Vec::new(),
+            cut_short: Vec::new(),
+            failure: Some(error.to_string()),
+            cycles: 0,
+        }
     }
 }
 
@@ -89,6 +125,7 @@ pub fn verify(
         preset: session.scene().name.clone(),
         findings,
         cut_short: session.cut_short().to_vec(),
+        failure: None,
         cycles: session.world().cycle_number(),
     })
 }
@@ -146,4 +183,54 @@ fn width(band: Band, middle: f64) -> f64 {
         Band::Absolute(width) => width,
         Band::Relative(part) => part * middle.abs(),
     }
+}
+
+/// The findings as CSV, in the units of what is measured.
+pub fn csv(outcomes: &[Outcome]) -> Vec<u8> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let mut write = |cells: [&str; 9]| {
+        // A Vec takes every row.
+        drop(writer.write_record(cells));
+    };
+    write([
+        "preset", "stage", "what", "value", "expected", "within", "verdict", "source", "remark",
+    ]);
+    for outcome in outcomes {
+        let preset = outcome.preset.as_str();
+        for finding in &outcome.findings {
+            let real = |number: f64| Cell::Real(number).text().into_owned();
+            let (value, remark) = match &finding.value {
+                Ok(value) => (*value, &finding.reason),
+                Err(why) => (f64::NAN, why),
+            };
+            write([
+                preset,
+                &finding.stage,
+                &finding.what,
+                &real(value),
+                &real(finding.expected),
+                &real(finding.band),
+                finding.verdict.word(),
+                &finding.source,
+                remark,
+            ]);
+        }
+        let mut fail = |stage: &str, what: &str, remark: &str| {
+            let verdict = Verdict::Fail.word();
+            write([
+                preset, stage, what, "nan", "nan", "nan", verdict, "", remark,
+            ]);
+        };
+        for stage in &outcome.cut_short {
+            fail(
+                stage,
+                "its condition",
+                "it held in no cycle before max_cycles",
+            );
+        }
+        if let Some(failure) = &outcome.failure {
+            fail("", "the run", failure);
+        }
+    }
+    writer.into_inner().unwrap_or_default()
 }

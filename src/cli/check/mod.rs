@@ -13,7 +13,7 @@ use crate::engine::setup::TimeStepChoice;
 use crate::scene::Scene;
 use crate::session::figure::figure;
 use crate::session::{Options, Session};
-use trial::Trial;
+use crate::study::trial::Trial;
 
 /// Checks it; answers the exit status.
 pub(super) fn check(options: &Check) -> u8 {
@@ -36,7 +36,7 @@ pub(super) fn check(options: &Check) -> u8 {
     sizes::describe(&mut report, &scene, world);
     step(&mut report, world);
     let trial = Trial::of(session);
-    trial.describe(&mut report, &scene);
+    trial::describe(&mut report, &scene, &trial);
     written(&mut report, &scene, &options.preset);
     print(&report.finish())
 }
@@ -142,7 +142,7 @@ fn size(bytes: f64) -> String {
 }
 
 /// A duration as people say it.
-fn duration(seconds: f64) -> String {
+pub(super) fn duration(seconds: f64) -> String {
     match seconds {
         s if s < 1.0 => "less than a second".into(),
         s if s < 120.0 => format!("{s:.0} s"),

@@ -22,7 +22,7 @@ use std::ops::Range;
 use std::str::FromStr;
 use syntax::Syntax;
 use term::{Places, Scope, terms};
-use tree::Number;
+use tree::{Arithmetic, Number};
 
 /// An expression over one row of a history: a number or a condition.
 #[derive(Debug, Clone)]
@@ -98,6 +98,27 @@ impl Expression {
             Meaning::Number(number) => number.parts(),
             Meaning::Condition(condition) => condition.parts(),
         }
+    }
+
+    /// The same for a run whose steps are shorter or longer: `own` of its cycles take the time of
+    /// `preset` cycles that the expression counts in.
+    #[must_use]
+    pub fn counting(self, own: f64, preset: f64) -> Self {
+        let leaf = |term: Term| match term {
+            Term::Cycle | Term::StageCycle => {
+                let scaled =
+                    |how, a, by| Number::Joined(how, Box::new(a), Box::new(Number::Constant(by)));
+                // Multiplied first: whole numbers of cycles stay whole.
+                let product = scaled(Arithmetic::Times, Number::Leaf(term), preset);
+                scaled(Arithmetic::Over, product, own)
+            }
+            other => Number::Leaf(other),
+        };
+        let meaning = match self.meaning {
+            Meaning::Number(number) => Meaning::Number(number.map(&leaf)),
+            Meaning::Condition(condition) => Meaning::Condition(condition.map(&leaf)),
+        };
+        Self { meaning, ..self }
     }
 
     fn into_condition(self, text: &str) -> Result<Self, Mistake> {

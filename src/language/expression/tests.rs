@@ -266,3 +266,22 @@ fn wrong_quantities_are_explained() {
         assert_eq!(Quantity::parse(text).unwrap_err().to_string(), message);
     }
 }
+
+#[test]
+fn cycles_can_be_counted_in_another_step() {
+    let written = Expression::parse("stage_cycle >= 40 and kinetic < 1 or -cycle > time").unwrap();
+    let counted = written.counting(5.0, 2.0);
+    assert_eq!(
+        counted.to_string(),
+        "stage_cycle * 2 / 5 >= 40 and kinetic < 1 or -(cycle * 2 / 5) > time"
+    );
+    let read_back = Expression::parse(&counted.to_string()).unwrap();
+    assert_eq!(read_back, counted);
+    let holds = |cycles: f64| {
+        read_back.holds(&mut |term| match term {
+            Term::StageCycle => cycles,
+            _ => 0.0,
+        })
+    };
+    assert!(!holds(99.0) && holds(100.0));
+}

@@ -65,6 +65,19 @@ impl<L> Number<L> {
         }
     }
 
+    /// The same with other leaves.
+    pub(super) fn map<M>(self, leaf: &dyn Fn(L) -> Number<M>) -> Number<M> {
+        match self {
+            Self::Constant(value) => Number::Constant(value),
+            Self::Leaf(l) => leaf(l),
+            Self::Negative(of) => Number::Negative(Box::new(of.map(leaf))),
+            Self::Absolute(of) => Number::Absolute(Box::new(of.map(leaf))),
+            Self::Joined(how, a, b) => {
+                Number::Joined(how, Box::new(a.map(leaf)), Box::new(b.map(leaf)))
+            }
+        }
+    }
+
     fn binding(&self) -> u8 {
         match self {
             Self::Joined(Arithmetic::Plus | Arithmetic::Minus, ..) => 1,
@@ -114,6 +127,15 @@ impl<L> Condition<L> {
         match self {
             Self::Compared(_, a, b) => 1 + a.parts() + b.parts(),
             Self::Both(a, b) | Self::Either(a, b) => 1 + a.parts() + b.parts(),
+        }
+    }
+
+    /// The same with other leaves.
+    pub(super) fn map<M>(self, leaf: &dyn Fn(L) -> Number<M>) -> Condition<M> {
+        match self {
+            Self::Compared(how, a, b) => Condition::Compared(how, a.map(leaf), b.map(leaf)),
+            Self::Both(a, b) => Condition::Both(Box::new(a.map(leaf)), Box::new(b.map(leaf))),
+            Self::Either(a, b) => Condition::Either(Box::new(a.map(leaf)), Box::new(b.map(leaf))),
         }
     }
 

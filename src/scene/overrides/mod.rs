@@ -14,7 +14,7 @@ use super::document::{Entry, Node, Table, Value, read_value};
 use super::key::Form;
 use super::place::{Place, Source, quoted};
 use super::problem::Problem;
-use super::section::{Section, Shape};
+use super::section::{Section, Shape, nearest_table};
 use crate::measure::columns::nearest;
 use path::{Part, parts};
 
@@ -27,11 +27,10 @@ pub(crate) fn apply(document: &mut Table, source: &Source, index: usize) -> Resu
     let Some(first) = path.next() else {
         return Err(short("the path is empty", start, "model.frac=0.2"));
     };
-    let names = super::SECTIONS.iter().map(|section| section.name);
     let section = super::SECTIONS
         .iter()
         .find(|section| section.name == first.text)
-        .ok_or_else(|| unknown(first, "table of presets", nearest(&first.text, names)))?;
+        .ok_or_else(|| unknown(first, "table of presets", nearest_table(&first.text)))?;
 
     let table = match section.shape {
         Shape::Single => Ok(single(document, section, first)),

@@ -3,7 +3,7 @@
 use super::Reader;
 use crate::measure::columns::nearest;
 use crate::scene::document::{Entry, Node, Value};
-use crate::scene::key::{Absent, Form, Key};
+use crate::scene::key::{Absent, Bounds, Form, Key};
 use crate::scene::place::{Place, quoted};
 use crate::scene::problem::Problem;
 
@@ -62,6 +62,18 @@ impl Reader<'_> {
         found
     }
 
+    /// Reports an element of a list of numbers; nothing was read.
+    pub(super) fn wrong_element<T>(&self, key: &Key, bounds: Bounds, item: &Node) -> Option<T> {
+        let found = quoted(item.place.written(&self.report.sources));
+        let message = format!("`{}` of {} cannot hold {found}", key.name, self.title);
+        self.report.add(
+            Problem::new(message, item.place)
+                .expected(format!("expected {bounds}"))
+                .remedy(format!("`{}`: {}", key.name, key.summary)),
+        );
+        None
+    }
+
     /// Reports a value of the wrong kind or size; nothing was read.
     pub(super) fn wrong<T>(&self, key: &Key, node: &Node) -> Option<T> {
         let found = quoted(node.place.written(&self.report.sources));
@@ -85,6 +97,7 @@ impl Reader<'_> {
             (Form::Texts | Form::Words(_), Value::Text(_)) => {
                 "put the text in brackets; ".to_owned()
             }
+            (Form::Numbers(_), Value::Number(_)) => "put the number in brackets; ".to_owned(),
             _ => String::new(),
         };
         let default = match &key.absent {

@@ -242,6 +242,25 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// A list of numbers.
+    pub(crate) fn numbers(&self, name: &str) -> Option<Vec<f64>> {
+        let node = self.node(name)?;
+        let key = self.key(name);
+        let (Value::List(items), Form::Numbers(bounds)) = (&node.value, &key.form) else {
+            return self.wrong(key, node);
+        };
+        let mut numbers = Vec::with_capacity(items.len());
+        for item in items {
+            match item.value {
+                Value::Number(number) if bounds.contains(number.float) => {
+                    numbers.push(number.float);
+                }
+                _ => return self.wrong_element(key, *bounds, item),
+            }
+        }
+        Some(numbers)
+    }
+
     /// Two finite numbers; zero if left out and declared so.
     pub(crate) fn vector(&self, name: &str) -> Option<[f64; 2]> {
         let key = self.key(name);
