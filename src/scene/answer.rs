@@ -138,7 +138,8 @@ fn quantities(reader: &Reader<'_>, draft: &Draft<'_>) -> Option<Vec<Quantity>> {
 }
 
 fn quantity(draft: &Draft<'_>, text: &str, place: Place) -> Option<Quantity> {
-    let what = phrase::accept(draft.report, Quantity::parse(text), text, place)?;
+    let parsed = Quantity::parse_with(text, &draft.known.definitions);
+    let what = phrase::accept(draft.report, parsed, text, place)?;
     let checked = what.check(&draft.ever);
     phrase::accept(draft.report, checked, text, place).map(|()| what)
 }

@@ -1,8 +1,8 @@
 //! A scene while its preset is being read: the values so far, and where those were written that
 //! are checked against each other at the end.
 
-use super::dump::Dump;
 use super::answer::Answer;
+use super::dump::Dump;
 use super::expect::Expect;
 use super::history::History;
 use super::phrase;

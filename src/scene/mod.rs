@@ -42,8 +42,8 @@ mod wall;
 use std::path::{Path, PathBuf};
 
 pub use about::About;
-pub use dump::Dump;
 pub use answer::Answer;
+pub use dump::Dump;
 pub use expect::{Band, Differs, Expect};
 pub use history::History;
 pub use reference::{reference_table, reference_text};

@@ -180,7 +180,12 @@ fn question(draft: &Draft<'_>, text: &str, place: Place) -> Option<Question> {
     if draft.answers.iter().any(|answer| answer.to == text) {
         return Some(Question::Answered(text.to_owned()));
     }
-    let read = match (Quantity::parse(text), Expression::parse(text)) {
+    let defined = &draft.known.definitions;
+    let parsed = (
+        Quantity::parse_with(text, defined),
+        Expression::parse_with(text, defined),
+    );
+    let read = match parsed {
         (Ok(quantity), _) => quantity
             .check(&draft.ever)
             .map(|()| Question::Number(text.to_owned(), quantity)),

@@ -8,7 +8,7 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::outcome::Outcome;
-use crate::session::figure::figure;
+use crate::session::figure::{figure, rough};
 
 /// Width and height [pixels].
 const SIZE: (u32, u32) = (860, 560);
@@ -237,7 +237,7 @@ fn line<'a, 'b: 'a>(
                 + Circle::new((0, 0), 4, fill.filled())
                 + Circle::new((0, 0), 4, colour.stroke_width(1))
                 + Circle::new((0, 0), ring, colour.stroke_width(2))
-                + Text::new(figure(point.frac), (8, -6), label.clone()),
+                + Text::new(rough(point.frac), (8, -6), label.clone()),
         ))?;
     }
     Ok(())

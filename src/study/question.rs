@@ -1,6 +1,6 @@
 //! What an error is of: the questions that every variant answers.
 
-use crate::language::{Expression, Quantity};
+use crate::language::{Expression, Observable, Quantity};
 use crate::measure::columns::Column;
 use crate::scene::{Answer, Band, Expect, Question, Scene};
 
@@ -54,7 +54,7 @@ pub fn questions(scene: &Scene) -> Vec<Asked> {
     if all.is_empty() {
         let columns = columns(scene);
         all.extend(columns.iter().filter_map(|name| {
-            let course = Expression::parse(name).ok()?;
+            let course = Expression::parse_with(name, &scene.definitions).ok()?;
             Some(by_run(name, Kind::Course(course)))
         }));
     }
@@ -64,7 +64,7 @@ pub fn questions(scene: &Scene) -> Vec<Asked> {
 fn columns(scene: &Scene) -> Vec<String> {
     // What describes the run rather than the material has no error.
     let about_the_run = ["dt", "fracc", "frac_limit", "energy_error", "state_hash"];
-    let mut names: Vec<String> = scene.history.columns.iter().map(Column::name).collect();
+    let mut names: Vec<String> = scene.history.columns.iter().map(Observable::name).collect();
     names.retain(|name| !about_the_run.contains(&name.as_str()));
     if !scene.history.named || names.is_empty() {
         names = vec!["kinetic".to_owned()];

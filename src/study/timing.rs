@@ -143,6 +143,7 @@ fn timed(
 fn bare(scene: &Scene) -> Scene {
     let mut scene = scene.clone();
     scene.expects.clear();
+    scene.dump = None;
     scene.history.columns.clear();
     scene.history.every = NEVER;
     let books = |condition: &Expression| {

@@ -4,7 +4,7 @@ use super::pace::Pace;
 use super::stability::Stability;
 use super::variant::Variant;
 use super::watch::Watch;
-use crate::language::Term;
+use crate::language::{Observable, Term};
 use crate::measure::columns::Column;
 use crate::session::{Options, Recording, RunError, Session};
 
@@ -109,7 +109,8 @@ pub(super) fn opened(
     let mut scene = variant.scene.clone();
     scene.expects.clear();
     scene.setup.ledger = true;
-    scene.history.columns = columns;
+    scene.dump = None;
+    scene.history.columns = columns.into_iter().map(Observable::Column).collect();
     Session::open(scene, options(threads))
 }
 
