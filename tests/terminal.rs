@@ -151,7 +151,7 @@ fn every_size_is_survived() {
 
 #[test]
 fn signals_give_the_terminal_back_and_keep_the_run() {
-    for (signal, status) in [(Signal::TERM, 143), (Signal::HUP, 129)] {
+    for (signal, status) in [(Signal::TERM, 143), (Signal::HUP, 129), (Signal::QUIT, 131)] {
         let mut pty = Pty::start(100, 30, &["disc-pile"]);
         pty.reaches(1000);
         pty.signal(signal);

@@ -5,7 +5,7 @@ use std::io;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXFSZ};
+use signal_hook::consts::{SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGXFSZ};
 use signal_hook::flag;
 
 /// A signal that asks the program to end.
@@ -18,7 +18,7 @@ pub struct Signal {
 }
 
 /// The signals that are caught.
-pub const SIGNALS: [Signal; 3] = [
+pub const SIGNALS: [Signal; 4] = [
     Signal {
         name: "SIGINT",
         number: SIGINT,
@@ -30,6 +30,11 @@ pub const SIGNALS: [Signal; 3] = [
     Signal {
         name: "SIGHUP",
         number: SIGHUP,
+    },
+    // Left to itself it would end the process with the terminal still raw.
+    Signal {
+        name: "SIGQUIT",
+        number: SIGQUIT,
     },
 ];
 
@@ -148,7 +153,7 @@ mod tests {
 
     #[test]
     fn statuses_follow_the_shell() {
-        assert_eq!(SIGNALS.map(Signal::exit_status), [130, 143, 129]);
+        assert_eq!(SIGNALS.map(Signal::exit_status), [130, 143, 129, 131]);
     }
 
     #[test]

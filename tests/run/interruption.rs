@@ -62,7 +62,7 @@ fn each_signal_is_answered_with_everything_saved() {
     let folder = tempfile::tempdir().expect("a folder");
     let folder = folder.path();
     run(folder, &format!("{} --csv whole.csv", scenes::LONG));
-    for (signal, status) in [("INT", 130), ("TERM", 143), ("HUP", 129)] {
+    for (signal, status) in [("INT", 130), ("TERM", 143), ("HUP", 129), ("QUIT", 131)] {
         let csv = format!("{signal}.csv");
         let child = start(folder, &format!("{} --csv {csv}", scenes::LONG));
         let output = end(child, signal, folder, &csv);
