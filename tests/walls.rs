@@ -97,6 +97,50 @@ fn a_joint_counts_once() {
     assert!(close(force_at(corner, -0.99, 0.98), [-100.0, 200.0], 1e-10));
 }
 
+/// A wall that stands on the face of another is not felt through it.
+#[test]
+fn an_end_on_a_face_counts_with_the_face() {
+    let base = || wall("base", [-3.0, 0.0], [3.0, 0.0]);
+    let stem = |foot: [f64; 2], top| [wall("stem", foot, top), wall("stem", top, foot)];
+    for top in [[0.0, 3.0], [2.0, 3.0], [-3.0, 1.0]] {
+        for stem in stem([0.0; 2], top) {
+            for walls in [vec![base(), stem.clone()], vec![stem.clone(), base()]] {
+                for x in [-0.5, -1e-9, 0.0, 1e-9, 0.1, 0.5] {
+                    let force = force_at(walls.clone(), x, -0.99);
+                    assert!(close(force, [0.0, -100.0], 1e-10), "{top:?} {x}: {force:?}");
+                }
+                // On its own side, away from the corner, the base is met as ever.
+                assert!(close(force_at(walls, 2.5, 0.99), [0.0, 100.0], 1e-10));
+            }
+        }
+    }
+    // In the corner both faces push.
+    let [upright, _] = stem([0.0; 2], [0.0, 3.0]);
+    let force = force_at(vec![base(), upright.clone()], -0.99, 0.98);
+    assert!(close(force, [-100.0, 200.0], 1e-10), "{force:?}");
+
+    // It may slide along the face: where it stands is looked for in every cycle.
+    let below = |velocity: [f64; 2]| {
+        let mut setup = discs(0.0);
+        setup.particles = vec![driven(0.0, -0.99, 1.0, [0.0; 2], 0.0)];
+        let upright = WallSetup {
+            velocity,
+            ..upright.clone()
+        };
+        setup.walls = vec![base(), upright];
+        setup.time_step = TimeStepChoice::Seconds(1e-3);
+        setup.frac = 1.0;
+        let mut world = world(setup);
+        run(&mut world, 50);
+        world.settle();
+        world.particles().force[0].f
+    };
+    assert!(close(below([0.1, 0.0]), [0.0, -100.0], 1e-10));
+    // Negative control: drawn 5e-6 off the face it is an end again, and pushes too.
+    let apart = below([0.0, 1e-4]);
+    assert!(apart[1] < -190.0, "{apart:?}");
+}
+
 /// A disc that is dragged along a floor in two pieces: shear force per cycle, and whether the
 /// contact changed hands.
 fn dragged(pieces: Vec<WallSetup>) -> (Vec<f64>, bool) {

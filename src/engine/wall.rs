@@ -5,6 +5,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::setup::WallSetup;
+use super::wall_contact::distance;
 
 /// A wall and where it stands. Positions are relative to the origin of the world.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -33,8 +34,30 @@ pub struct Wall {
     pub point: [f64; 2],
     /// Direction now.
     pub direction: [f64; 2],
-    /// Ends of other walls that meet an end of this one: own end, other wall, its end.
-    pub(super) joints: Vec<(usize, usize, usize)>,
+    /// Where an end of this one stands on another wall.
+    pub(super) joints: Vec<Joint>,
+}
+
+/// An end of a wall that stands on another wall.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Joint {
+    /// Which end.
+    pub(super) own: usize,
+    /// Index of the other wall.
+    pub(super) other: usize,
+    /// Its end that is met; `None`: its face.
+    pub(super) end: Option<usize>,
+}
+
+impl Joint {
+    /// Whether it still holds, to within `reach` [m]: walls move.
+    pub(super) fn holds(self, walls: &[Wall], corner: [f64; 2], reach: f64) -> bool {
+        let other = &walls[self.other];
+        match self.end {
+            Some(end) => near(corner, other.end(end), reach),
+            None => distance(other, corner) <= reach,
+        }
+    }
 }
 
 impl Wall {
@@ -98,19 +121,19 @@ impl Wall {
         self.point = [self.about[0] + arm[0], self.about[1] + arm[1]];
     }
 
-    /// Finds the ends of walls that stand on each other, to within `reach` [m].
+    /// Finds the ends of walls that stand on others, to within `reach` [m]: first on their ends.
     pub fn join(walls: &mut [Self], reach: f64) {
-        let ends: Vec<[[f64; 2]; 2]> = walls.iter().map(|w| [w.end(0), w.end(1)]).collect();
-        for (w, wall) in walls.iter_mut().enumerate() {
-            wall.joints.clear();
-            for (own, other, end) in (0..2)
-                .flat_map(|own| (0..ends.len()).map(move |other| (own, other)))
-                .flat_map(|(own, other)| [(own, other, 0), (own, other, 1)])
-            {
-                if other != w && near(ends[w][own], ends[other][end], reach) {
-                    wall.joints.push((own, other, end));
+        for w in 0..walls.len() {
+            let mut joints = Vec::new();
+            for own in 0..2 {
+                let corner = walls[w].end(own);
+                for other in (0..walls.len()).filter(|&other| other != w) {
+                    let joint = |end| Joint { own, other, end };
+                    let places = [joint(Some(0)), joint(Some(1)), joint(None)];
+                    joints.extend(places.into_iter().find(|j| j.holds(walls, corner, reach)));
                 }
             }
+            walls[w].joints = joints;
         }
     }
 }

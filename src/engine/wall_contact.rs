@@ -1,12 +1,13 @@
 //! Where a particle meets a wall: its face, or one of its ends as a point.
 //!
 //! Walls have two sides; a particle stays on the one its centre was on when it came near. Where
-//! walls share an end, a face beats the end, and the end counts once.
+//! walls share an end, a face beats the end, and the end counts once. An end that stands on the face
+//! of another wall is no corner: that wall is met instead.
 
 use serde::{Deserialize, Serialize};
 
 use super::particles::Row;
-use super::wall::{Wall, near};
+use super::wall::Wall;
 
 /// A listed pair of particle and wall.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -152,14 +153,16 @@ impl Foot {
 fn taken(walls: &[Wall], w: usize, end: usize, x: [f64; 2], share: f64) -> TakenBy {
     let corner = walls[w].end(end);
     let mut taker = None;
-    for &(own, other, other_end) in &walls[w].joints {
-        if own != end || !near(corner, walls[other].end(other_end), share) {
+    for joint in walls[w].joints.iter().filter(|joint| joint.own == end) {
+        if !joint.holds(walls, corner, share) {
             continue;
         }
-        match Foot::of(&walls[other], x).beyond {
-            None => return Some(other as u32),
-            Some(at) if at == other_end && other < w => taker = Some(other as u32),
-            Some(_) => {}
+        let other = joint.other;
+        match (joint.end, Foot::of(&walls[other], x).beyond) {
+            // Some point of the other wall is nearer than the end, or the end itself.
+            (None, _) | (Some(_), None) => return Some(other as u32),
+            (Some(shared), Some(at)) if at == shared && other < w => taker = Some(other as u32),
+            (Some(_), Some(_)) => {}
         }
     }
     taker
