@@ -240,7 +240,7 @@ fn action_equals_reaction() {
 fn the_elastic_limit_conserves_energy() {
     // Without slip and dashpots an impact gives back what it took; part of it as spin. With two
     // remembered reversals the books do not close: see tests/two_reversals.rs.
-    for law in LAWS.iter().filter(|law| !law.gain.is_some()) {
+    for law in LAWS.iter().filter(|law| law.gain.is_none()) {
         for body in [Body::Disc, Body::Sphere] {
             // Enough never to slide: T/N starts at (k_t/k_n) V_T/V_N, which is below 2 here.
             let mut setup = scene_of(choice(law), 20.0);

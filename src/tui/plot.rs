@@ -76,7 +76,7 @@ impl Plot {
             scales: [x, y],
         };
         if foot > 0 {
-            plot.write_ends(look, buffer);
+            plot.write_ends(*look, buffer);
         }
         plot.draw_zeros();
         Some(plot)
@@ -104,7 +104,7 @@ impl Plot {
     }
 
     /// Both ends of the axis below.
-    fn write_ends(&self, look: &Look, buffer: &mut Buffer) {
+    fn write_ends(&self, look: Look, buffer: &mut Buffer) {
         let line = Rect {
             y: self.body.bottom(),
             height: 1,
@@ -116,14 +116,14 @@ impl Plot {
         };
         let end = usize::from(line.width).saturating_sub(last.len());
         write::at(
-            look,
+            &look,
             (line, &mut *buffer),
             (end as u16, 0),
             last,
             Role::Label,
         );
-        if first.len() + 1 <= end {
-            write::at(look, (line, buffer), (0, 0), first, Role::Label);
+        if first.len() < end {
+            write::at(&look, (line, buffer), (0, 0), first, Role::Label);
         }
     }
 

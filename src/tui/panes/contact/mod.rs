@@ -82,25 +82,20 @@ fn draw_plots(app: &App, contact: &Inspection, area: Rect, buffer: &mut Buffer) 
     let columns = if area.width >= 40 { 2 } else { 1 };
     let rows = if area.height >= 12 { 2 } else { 1 };
     // As the exported picture has them; where not all have room, the most telling ones.
-    let order = match (columns * rows, &contact.traction) {
-        (4, _) => [
-            Drawing::Loop,
-            Drawing::Limits,
-            Drawing::Normal,
-            Drawing::Profile,
-        ],
-        (_, Some(_)) => [
+    let order = if columns * rows < 4 && contact.traction.is_some() {
+        [
             Drawing::Loop,
             Drawing::Profile,
             Drawing::Limits,
             Drawing::Normal,
-        ],
-        (_, None) => [
+        ]
+    } else {
+        [
             Drawing::Loop,
             Drawing::Limits,
             Drawing::Normal,
             Drawing::Profile,
-        ],
+        ]
     };
     let bands = Layout::vertical(vec![Constraint::Fill(1); rows]).split(area);
     let places = bands.iter().flat_map(|band| {

@@ -25,10 +25,13 @@ fn draw_path(plot: &mut Plot, contact: &Inspection, at: fn(&Moment) -> (f64, f64
     }
 }
 
+/// What a moment of the record is drawn as.
+type Point = fn(&Moment) -> (f64, f64);
+
 fn draw(
     app: &App,
     contact: &Inspection,
-    (title, at): (&str, fn(&Moment) -> (f64, f64)),
+    (title, at): (&str, Point),
     area: Rect,
     buffer: &mut Buffer,
 ) {
