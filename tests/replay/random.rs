@@ -72,7 +72,9 @@ proptest! {
         // One that is never saved, one that is, and one that goes on from there.
         let (untouched, first, second) = (folder(), folder(), folder());
         let mut plain = open(&preset);
-        acts.iter().for_each(|act| perform(&mut plain, act, untouched.path()));
+        for act in &acts {
+            perform(&mut plain, act, untouched.path());
+        }
         plain.finish().unwrap();
 
         let mut session = open(&preset);
