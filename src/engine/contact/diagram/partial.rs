@@ -149,7 +149,7 @@ impl Partial {
     }
 
     /// The end of a step in which the inside stuck.
-    #[inline]
+    #[inline(always)]
     pub(super) fn stop<const M: usize>(
         &self,
         end: Node,
@@ -157,11 +157,7 @@ impl Partial {
         memory: &mut Diagram<M>,
     ) -> Slip {
         let most = if self.nodes < M { self.nodes } else { M };
-        let forgotten = if self.booked {
-            memory.finish::<true>(end, most)
-        } else {
-            memory.finish::<false>(end, most)
-        };
+        let forgotten = memory.finish(end, most, self.booked);
         Slip {
             force: end.force,
             micro: micro + self.compliance * forgotten,

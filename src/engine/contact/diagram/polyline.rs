@@ -64,6 +64,7 @@ fn forgotten_energy(a: &Node, b: &Node, c: &Node) -> f64 {
 }
 
 /// Area of the triangle that a polyline loses when it skips `b` [m²].
+#[inline(always)]
 fn triangle(a: &Node, b: &Node, c: &Node) -> f64 {
     let near = [b.overlap() - a.overlap(), b.shift - a.shift];
     let far = [c.overlap() - a.overlap(), c.shift - a.shift];
@@ -194,9 +195,9 @@ impl<const M: usize> Diagram<M> {
     }
 
     /// Makes a node the state of now and keeps the polyline at no more than `most` nodes. Answers, if
-    /// `BOOK`, the energy over compliance that dropped nodes take from what is stored [N m].
-    #[inline]
-    pub(super) fn finish<const BOOK: bool>(&mut self, mut node: Node, most: usize) -> f64 {
+    /// asked to `book`, the energy over compliance that dropped nodes take from what is stored [N m].
+    #[inline(always)]
+    pub(super) fn finish(&mut self, mut node: Node, most: usize, book: bool) -> f64 {
         let mut forgotten = 0.0;
         let eta = node.overlap();
         let negligible = NEGLIGIBLE * self.friction * eta * eta;
@@ -207,14 +208,14 @@ impl<const M: usize> Diagram<M> {
             if lost >= negligible {
                 break;
             }
-            if BOOK {
+            if book {
                 forgotten += forgotten_energy(&before, &last, &node);
             }
             node.lost = lost;
             self.len -= 1;
         }
         while self.len >= most {
-            forgotten += self.drop_cheapest::<BOOK>(&mut node);
+            forgotten += self.drop_cheapest(&mut node, book);
         }
         self.append(node);
         forgotten
@@ -222,7 +223,7 @@ impl<const M: usize> Diagram<M> {
 
     /// Drops the inner node with the least area; `node` is to follow the last.
     #[inline(never)]
-    fn drop_cheapest<const BOOK: bool>(&mut self, node: &mut Node) -> f64 {
+    fn drop_cheapest(&mut self, node: &mut Node, book: bool) -> f64 {
         let nodes = &mut self.nodes[..self.len];
         let mut areas = [0.0; M];
         let (mut inner, mut here) = (ORIGIN, nodes[0]);
@@ -237,7 +238,7 @@ impl<const M: usize> Diagram<M> {
                 (cheapest, least) = (k, area);
             }
         }
-        let forgotten = if BOOK {
+        let forgotten = if book {
             let inner = if cheapest == 0 {
                 ORIGIN
             } else {

@@ -71,6 +71,19 @@ proptest! {
         }
     }
 
+    /// With room for every corner a step loses energy or none. What is merged as negligible may
+    /// give some of its 1e-9.
+    #[test]
+    fn slip_loses_energy(walk in walk()) {
+        let law = Partial::new(3e9, 1.3, 0.4, 64);
+        let mut memory = Diagram::<64>::default();
+        for [overlap, d] in walk {
+            let slip = law.advance(overlap * OVERLAP, d * OVERLAP, &mut memory);
+            let scale = 0.4 * law.load(OVERLAP.sqrt()) * 0.4 * 1.3 * OVERLAP;
+            prop_assert!(slip.gross >= 0.0 && slip.micro >= -1e-9 * scale, "{:?} {}", slip, scale);
+        }
+    }
+
     #[test]
     fn mirrored_paths_have_mirrored_bits(walk in walk()) {
         let law = law(0.4);
