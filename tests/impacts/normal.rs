@@ -1,6 +1,10 @@
 //! Normal impacts: Hertz's closed form, restitution asked and measured.
 
+use ballast::engine::contact::dashpot::hertz_restitution_for_fraction;
 use ballast::engine::setup::{Damping, Dashpot};
+
+use ballast::measure::columns::Column;
+use ballast::measure::sample::Sample;
 
 use crate::common::law;
 use crate::shots::Shot;
@@ -83,4 +87,35 @@ fn the_lag_of_the_dashpot_is_of_first_order_and_mends() {
     let order = (mean(0.3, 35.0, false) / mean(0.3, 140.0, false)).log2() / 2.0;
     assert!((order - 1.0).abs() < 0.1, "{order}");
     assert!(mean(0.3, 35.0, true).abs() < 0.05 * mean(0.3, 35.0, false).abs());
+}
+
+/// Above the threshold a contact is damped critically, c = 2 √(M* k): e = 0.120 of a Hertz impact
+/// that may not pull. Below it nothing changes.
+#[test]
+fn large_overlaps_are_damped_critically_and_counted() {
+    let shot = |share: f64| Shot {
+        damping: Damping {
+            overlap_critical: Some(share),
+            ..Damping::default()
+        },
+        ..Shot::thesis(law("hertz"), 0.0)
+    };
+    // The impact goes 0.056 % of the diameter deep.
+    let below = shot(1e-3).fire().v[0] / 0.4;
+    assert!((below - 1.0).abs() < 1e-6, "{below}");
+    let above = shot(1e-9).fire().v[0] / 0.4;
+    let critical = hertz_restitution_for_fraction(1.0, false);
+    assert!((critical - 0.120).abs() < 5e-4, "{critical}");
+    assert!((above - critical).abs() < 1e-3, "{above}");
+
+    let warnings = Column::parse("overlap_warnings").expect("it is in the list");
+    let mut counts = [1e-4, 1e-3].map(|share| {
+        let mut world = shot(share).world();
+        for _ in 0..150 {
+            world.cycle().expect("no fault");
+        }
+        Sample::of(&mut world).value(&warnings)
+    });
+    counts.sort_by(f64::total_cmp);
+    assert_eq!(counts, [0.0, 1.0]);
 }
