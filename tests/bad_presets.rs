@@ -10,8 +10,9 @@ use std::time::{Duration, Instant};
 
 use program::{ballast, said};
 
-/// Longest time a wrong preset may take; ten megabytes take a good part of a second.
-const PATIENCE: Duration = Duration::from_secs(5);
+/// Longest time a wrong preset may take. Ten megabytes take a good part of a second where nothing
+/// else runs; going back and forth in them would take hours.
+const PATIENCE: Duration = Duration::from_secs(300);
 
 /// Asserts that `check`, `run` and `verify` refuse a preset; answers what `run` said.
 #[track_caller]

@@ -110,6 +110,8 @@ pub(crate) fn folder() -> tempfile::TempDir {
         inner.display()
     );
     fs::write(path.join("lines"), lines).unwrap();
+    // In one go, so that the clock keeps no state on the way.
+    fs::write(path.join("wild"), "cycle 40\nfrac 4\ncycle 30\n").unwrap();
     // Restores what it saved on the way: must not begin again from there.
     let save = path.join("c").display().to_string();
     let back = format!("save {save}\ncycle 5\nrestore {save}\ncycle 2\npause\nfriction 0.1\n");

@@ -56,7 +56,7 @@ fn what_is_done_after_a_fault_is_done_again() {
     let folder = folder();
     let folder = folder.path();
     let kept = folder.join("kept");
-    let mut session = typed(&STAGES[..4], &["cycle 40", "frac 4", "cycle 30"], folder);
+    let mut session = typed(&STAGES[..4], &["source {tmp}/wild"], folder);
     assert!(session.world().is_broken());
     for line in ["friction 0.2", "cycle 3", "go", "save x"] {
         let refusal = session.type_line(line).unwrap_err().to_string();
@@ -82,7 +82,7 @@ fn a_state_between_stages_without_cycles_is_met_again() {
     let folder = folder();
     let folder = folder.path();
     let stages = [STAGES[0], STAGES[1], STAGES[6], STAGES[3]];
-    let mut session = typed(&stages, &["cycle 32", "frac 4", "cycle 30"], folder);
+    let mut session = typed(&stages, &["source {tmp}/wild"], folder);
     let way = session.way_back(&folder.join("kept")).unwrap().unwrap();
     assert!(way.ends_with("goes back to cycle 30"), "{way}");
     session.type_line(way.split('`').nth(1).unwrap()).unwrap();

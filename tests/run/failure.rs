@@ -22,9 +22,9 @@ fn a_reader_that_has_seen_enough_ends_the_run_quietly() {
     let folder = tempfile::tempdir().expect("a folder");
     let folder = folder.path();
     for words in [
-        "run nine-disc-compression --csv -",
+        "run nine-disc-compression -q --csv -",
         // Rows so rare that the pipe is not full before the end.
-        "run nine-disc-compression --csv - --set stage.rest.max_cycles=200000000 \
+        "run nine-disc-compression -q --csv - --set stage.rest.max_cycles=200000000 \
          --set history.every=10000",
         "presets",
         "columns",
@@ -97,6 +97,18 @@ fn rows_that_fitted_are_kept_whole_and_the_checkpoint_holds_the_others() {
     assert_eq!(shell(folder, line).status.code(), Some(1));
 }
 
+/// The stage that fails begins at cycle 2540. States are kept by the clock too: on a busy machine it may
+/// be a later one.
+#[track_caller]
+fn holds_a_state_of_the_stage(message: &str, file: &str) {
+    let (_, cycle) = message
+        .split_once(&format!("{file} holds cycle "))
+        .expect("a state was kept");
+    let cycle = cycle.split(',').next().expect("a number");
+    let cycle: u64 = cycle.parse().expect("a number");
+    assert!((2540..2600).contains(&cycle), "{message}");
+}
+
 #[test]
 fn a_run_that_flies_apart_names_cycle_and_particle() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -110,12 +122,8 @@ fn a_run_that_flies_apart_names_cycle_and_particle() {
 
     // In a later stage there is a state to go back to.
     let words = "nine-disc-compression --set stage.rub.do.0=\"frac\\u00205\" --csv late.csv";
-    refused(
-        folder,
-        words,
-        1,
-        &["particle", "late.ballast holds cycle 2540"],
-    );
+    let message = refused(folder, words, 1, &["particle"]);
+    holds_a_state_of_the_stage(&message, "late.ballast");
     let late = bytes(folder, "late.csv");
     assert!(text(folder, "late.csv").lines().last().map(cycle_of) > Some(2540));
     refused(
@@ -128,12 +136,8 @@ fn a_run_that_flies_apart_names_cycle_and_particle() {
 
     // Without a history the state is kept here.
     let words = "nine-disc-compression --set stage.rub.do.0=\"frac\\u00205\"";
-    refused(
-        folder,
-        words,
-        1,
-        &["nine-disc-compression.ballast holds cycle 2540"],
-    );
+    let message = refused(folder, words, 1, &["particle"]);
+    holds_a_state_of_the_stage(&message, "nine-disc-compression.ballast");
     assert!(names(folder).contains(&"nine-disc-compression.journal".to_owned()));
 }
 
