@@ -58,7 +58,7 @@ pub struct Slip {
     /// Energy lost by sliding of the whole contact [J].
     pub gross: f64,
     /// Energy lost by slip in annuli of the contact [J]; negative while a nested loop is run
-    /// backwards, see [`energy`].
+    /// backwards, see `energy.rs`.
     pub micro: f64,
     /// Whether the whole contact slid.
     pub sliding: bool,
