@@ -1,12 +1,12 @@
 //! Normal impacts: Hertz's closed form, restitution asked and measured.
 
 use ballast::engine::contact::dashpot::hertz_restitution_for_fraction;
-use ballast::engine::setup::{Damping, Dashpot};
+use ballast::engine::setup::{Damping, Dashpot, TimeStepChoice};
 
 use ballast::measure::columns::Column;
 use ballast::measure::sample::Sample;
 
-use crate::common::law;
+use crate::common::{law, moving, world};
 use crate::shots::Shot;
 
 /// Hertz: (5.9), (5.12) of Randall 1989 with the exact constant 2.9432.
@@ -118,4 +118,53 @@ fn large_overlaps_are_damped_critically_and_counted() {
     });
     counts.sort_by(f64::total_cmp);
     assert_eq!(counts, [0.0, 1.0]);
+}
+
+/// Rebound over approach speed of two spheres whose radii are 1 : `ratio`, less what was asked for.
+fn uneven(ratio: f64, e: f64, steps: f64, centred: bool) -> f64 {
+    let shot = Shot::thesis(law("hertz"), 0.0);
+    let mut setup = shot.world().model().clone();
+    let (small, large) = (shot.radius, ratio * shot.radius);
+    let (m, r) = (
+        shot.mass().0 * ratio.powi(3) / (1.0 + ratio.powi(3)),
+        small * large / (small + large),
+    );
+    let v = 0.4;
+    let depth = (15.0 * m * v * v / (16.0 * shot.young_eff() * r.sqrt())).powf(0.4);
+    let dt = 2.943_275_179_6 * depth / v / steps;
+    setup.time_step = TimeStepChoice::Seconds(dt);
+    setup.damping = Damping {
+        contact: Dashpot::Restitution(e),
+        centred,
+        ..Damping::default()
+    };
+    setup.tol = Some(0.5 * small);
+    setup.particles = vec![
+        moving(-small - 0.5 * v * dt, 0.0, small, [v, 0.0], 0.0),
+        moving(large, 0.0, large, [0.0, 0.0], 0.0),
+    ];
+    let mut world = world(setup);
+    for _ in 0..(4.0 * steps) as usize {
+        world.cycle().expect("no fault");
+    }
+    world.settle();
+    (world.velocity(1).0[0] - world.velocity(0).0[0]) / v - e
+}
+
+/// The lag of the dashpot is that of the effective mass: it does not grow with the ratio of sizes.
+#[test]
+fn unequal_sizes_lag_no_more() {
+    for ratio in [1.0, 3.0, 10.0, 30.0] {
+        for e in [0.3, 0.7] {
+            let lagged = uneven(ratio, e, 80.0, false);
+            let equal = uneven(1.0, e, 80.0, false);
+            assert!(
+                (lagged - equal).abs() < 2e-4,
+                "{ratio} {e}: {lagged} {equal}"
+            );
+            let centred = uneven(ratio, e, 80.0, true);
+            // One phase of the first touch only.
+            assert!(centred.abs() < 5e-4, "{ratio} {e}: {centred}");
+        }
+    }
 }
