@@ -135,6 +135,6 @@ impl<const M: usize> Tangential for ExactShear<M> {
     }
 
     fn inner(&self, _: f64, memory: &Diagram<M>) -> Vec<Inner> {
-        vec![Inner::number("nodes in memory", memory.len() as f64, "-")]
+        vec![Inner::number("nodes", memory.len() as f64, "-")]
     }
 }

@@ -118,6 +118,6 @@ impl<const KEEP: bool> Tangential for HertzMindlin<KEEP> {
     }
 
     fn inner(&self, _: f64, memory: &HeldShear) -> Vec<Inner> {
-        vec![Inner::number("held at stiffness", memory.stiffness, "N/m")]
+        vec![Inner::number("held at k_t", memory.stiffness, "N/m")]
     }
 }

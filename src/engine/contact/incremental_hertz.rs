@@ -112,8 +112,8 @@ impl Normal for IncrementalHertz {
 
     fn inner(&self, _: f64, memory: &SummedHertz) -> Vec<Inner> {
         vec![
-            Inner::number("normal force summed", memory.0, "N"),
-            Inner::number("overlap of that force", self.depth(memory), "m"),
+            Inner::number("N summed", memory.0, "N"),
+            Inner::number("alpha of it", self.depth(memory), "m"),
         ]
     }
 

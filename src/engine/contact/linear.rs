@@ -135,7 +135,7 @@ impl Normal for IncrementalNormal {
     }
 
     fn inner(&self, _: f64, memory: &SummedNormal) -> Vec<Inner> {
-        vec![Inner::number("normal force summed", memory.0, "N")]
+        vec![Inner::number("N summed", memory.0, "N")]
     }
 }
 

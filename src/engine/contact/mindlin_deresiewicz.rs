@@ -98,8 +98,9 @@ impl Tangential for ReversalShear {
     }
 
     fn traction(&self, memory: &Reversals) -> Option<Traction> {
+        let steps = self.law.shares(memory)?;
         Some(Traction {
-            steps: self.law.shares(memory),
+            steps,
             friction: self.friction,
         })
     }

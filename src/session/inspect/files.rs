@@ -54,12 +54,12 @@ fn no_traction(inspection: &super::Inspection) -> Refusal {
             "run until it touches",
         );
     }
-    Refusal::new(
-        format!("the traction of contact {name} is not known"),
-        format!(
-            "law {} keeps forces only, or the contact has no friction; \
-             mindlin-deresiewicz-exact knows it",
-            inspection.law
-        ),
-    )
+    let remedy = if inspection.shears() {
+        "law mindlin-deresiewicz-exact knows it at any time"
+    } else {
+        "it has no friction: give it some"
+    };
+    let law = inspection.law;
+    let message = format!("the traction of contact {name} is not known to law {law} in this state");
+    Refusal::new(message, remedy)
 }

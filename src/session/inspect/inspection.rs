@@ -128,6 +128,6 @@ fn numbers(world: &World, k: usize, now: Option<&Moment>) -> Vec<Inner> {
 
 /// A ratio that has to be small, marked where it is not.
 fn limited(name: &'static str, ratio: f64, limit: f64) -> Inner {
-    let unit = if ratio > limit { "> 7 %" } else { "-" };
+    let unit = if ratio > limit { "> 7%" } else { "-" };
     Inner::number(name, ratio, unit)
 }

@@ -50,7 +50,6 @@ pub(super) fn svg(inspection: &Inspection) -> Result<String, Box<dyn Error>> {
         profile(&parts[3], inspection)?;
         root.present()?;
     }
-    text.push('\n');
     Ok(text)
 }
 
@@ -206,7 +205,7 @@ fn profile(area: &Area<'_>, inspection: &Inspection) -> Drawn {
         let text = if inspection.state == "apart" {
             "apart: no traction"
         } else {
-            "this law knows no traction"
+            "traction not known to this law in this state"
         };
         let style = (FONT, 16).into_font();
         area.draw(&Text::new(text, (90, 120), style))?;

@@ -38,11 +38,12 @@ impl TwoReversals {
     ///
     /// The law keeps forces, no traction: this is the one of a history at the present normal force
     /// that turned at the same points (Mindlin & Deresiewicz 1953; Randall 1989, 3.2), and it adds up
-    /// to the force. After a change of N the true one may differ.
-    pub fn shares(&self, memory: &Reversals) -> Vec<(f64, f64)> {
+    /// to the force. After a change of N the true one may differ. `None` where the law itself says so:
+    /// the force is short of the curve, and all of the contact sticks.
+    pub fn shares(&self, memory: &Reversals) -> Option<Vec<(f64, f64)>> {
         let size = self.size(memory.overlap);
-        if size.limit <= 0.0 {
-            return Vec::new();
+        if size.limit <= 0.0 || memory.shortfall > 0.0 {
+            return None;
         }
         let direction = memory.direction(0.0);
         let [force, top, bottom] =
@@ -76,7 +77,7 @@ impl TwoReversals {
                 inside = end;
             }
         }
-        steps
+        Some(steps)
     }
 }
 
@@ -103,7 +104,7 @@ mod tests {
             for _ in 0..50 {
                 law.advance(1e-6, way * slide / 50.0, &mut memory);
             }
-            let steps = law.shares(&memory);
+            let steps = law.shares(&memory).expect("N is constant");
             let traction = Traction { steps, friction };
             let carried = traction.force();
             assert!(
@@ -119,5 +120,17 @@ mod tests {
         }
         assert_eq!(memory.branch(), Branch::Reloading);
         assert!(memory.turning_points().iter().all(Option::is_some));
+    }
+
+    /// A load that grows faster than the shear leaves the contact stuck: an annulus that slips would
+    /// be made up.
+    #[test]
+    fn nothing_is_made_up_while_the_contact_is_short_of_its_curve() {
+        let law = TwoReversals::new(2e9, 1e9, 0.01, 0.3);
+        let mut memory = law.seed(1e-6, 0.0);
+        law.advance(1e-6, 0.3 * law.size(1e-6).slide, &mut memory);
+        assert!(law.shares(&memory).is_some());
+        law.advance(1.5e-6, 1e-9, &mut memory);
+        assert!(memory.shortfall() > 0.0 && law.shares(&memory).is_none());
     }
 }

@@ -55,7 +55,7 @@ fn draw(app: &App, _: PaneId, area: Rect, buffer: &mut Buffer) {
     };
     let column = match area.width {
         100.. => 34,
-        72.. => 29,
+        72.. => 30,
         _ => 0,
     };
     let [plots, numbers] =
@@ -138,7 +138,7 @@ fn summary(contact: &Inspection) -> String {
 
 fn write_numbers(app: &App, contact: &Inspection, area: Rect, buffer: &mut Buffer) {
     let mut lines = Lines::new(&app.look, area, buffer);
-    let names = if area.width >= 34 { 18 } else { 15 };
+    let names = if area.width >= 34 { 18 } else { 14 };
     for inner in &contact.numbers {
         let (text, unit) = value(inner);
         let name: String = inner.name.chars().take(names).collect();

@@ -19,7 +19,7 @@ pub(super) fn draw(app: &App, contact: &Inspection, area: Rect, buffer: &mut Buf
         let text = match (contact.state, contact.shears()) {
             ("apart", _) => "traction: none while the contact is apart",
             (_, false) => "traction: none without friction",
-            _ => "traction: this law keeps forces only; mindlin-deresiewicz-exact knows it",
+            _ => "traction: not known to this law in this state",
         };
         return Lines::new(&app.look, area, buffer).text(text, Role::Label);
     };
