@@ -34,9 +34,10 @@ impl Plot {
             return None;
         }
         let [along, up] = axes.ranges;
-        let steps = usize::from(area.height / 3).clamp(1, 6);
-        let y = Scale::over(up.0, up.1, steps);
-        let x = Scale::over(along.0, along.1, usize::from(area.width / 12).clamp(1, 6));
+        // With one step only, an axis from -1 to 1 would reach from -2 to 2.
+        let steps = |room: u16| usize::from(room).clamp(2, 6);
+        let y = Scale::over(up.0, up.1, steps(area.height / 3));
+        let x = Scale::over(along.0, along.1, steps(area.width / 12));
         let labels = y.ticks();
         let widest = labels.iter().map(|(_, label)| label.len()).max();
         let widest = widest.unwrap_or(0) as u16;

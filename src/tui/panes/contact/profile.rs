@@ -54,7 +54,9 @@ pub(super) fn draw(app: &App, contact: &Inspection, area: Rect, buffer: &mut Buf
             ..plot.body()
         };
         for column in 0..line.width {
-            let (text, role) = match traction.zone(plot.along(column).abs()) {
+            let r = plot.along(column).abs();
+            let (text, role) = match traction.zone(r) {
+                _ if r > 1.0 => continue,
                 Zone::Stick => ("=", Role::Label),
                 Zone::SlipForward => ("+", Role::Warning),
                 Zone::SlipBackward => ("-", Role::Warning),
