@@ -50,6 +50,10 @@ pub const PRESETS: &[Preset] = &[
         include_str!("../../presets/newtons-cradle.toml"),
     ),
     preset(
+        "restitution-phases",
+        include_str!("../../presets/restitution-phases.toml"),
+    ),
+    preset(
         "chung-ooi-1",
         include_str!("../../presets/chung-ooi-1.toml"),
     ),
