@@ -4,6 +4,7 @@
 use super::answer::Answer;
 use super::dump::Dump;
 use super::expect::Expect;
+use super::generate::Generated;
 use super::history::History;
 use super::phrase;
 use super::place::{Place, quoted};
@@ -31,6 +32,8 @@ pub(crate) struct Draft<'a> {
     pub(crate) seed: u64,
     /// What the world will be built from.
     pub(crate) setup: Setup,
+    /// `[[generate]]`.
+    pub(crate) generated: Vec<Generated>,
     /// `[[measure]]`.
     pub(crate) regions: Vec<Region>,
     /// Where the name of each region was written.
@@ -102,6 +105,7 @@ impl<'a> Draft<'a> {
                 overlap_allowed: false,
                 ledger: false,
             },
+            generated: Vec::new(),
             regions: Vec::new(),
             region_places: Vec::new(),
             history: History::default(),

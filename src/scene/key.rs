@@ -25,6 +25,8 @@ pub(crate) enum Form {
     Number(Bounds),
     /// Two numbers: a point or a vector.
     Vector,
+    /// A list of points.
+    Vectors,
     /// A list of numbers within bounds.
     Numbers(Bounds),
     /// A whole number between two.
@@ -45,6 +47,8 @@ pub(crate) enum Form {
     WordOrNumber(&'static [&'static str], Bounds),
     /// A table with these keys.
     Table(&'static [Key]),
+    /// A list of tables with these keys.
+    Tables(&'static [Key]),
     /// A vector, or a table with these keys.
     VectorOrTable(&'static [Key]),
     /// A table of expressions under names of their own.
@@ -142,6 +146,7 @@ impl fmt::Display for Form {
         match self {
             Self::Number(bounds) => bounds.fmt(f),
             Self::Vector => f.write_str("[number, number]"),
+            Self::Vectors => f.write_str("list of points [[number, number], ...]"),
             Self::Numbers(bounds) => write!(f, "list of numbers [...], each a {bounds}"),
             Self::Count(low, u64::MAX) => write!(f, "whole number from {low} to 2^64 - 1"),
             Self::Count(low, COUNT_MAX) => write!(f, "whole number from {low} to 2^53"),
@@ -154,19 +159,38 @@ impl fmt::Display for Form {
             Self::Words(words) => write!(f, "list of {}", any_of(words)),
             Self::WordOrNumber(words, bounds) => write!(f, "{} or {bounds}", any_of(words)),
             Self::Definitions => f.write_str("{ NAME = \"EXPRESSION\", ... }"),
-            Self::Table(keys) | Self::VectorOrTable(keys) => {
-                if !matches!(self, Self::Table(_)) {
-                    f.write_str("[number, number] or ")?;
-                }
-                f.write_str("{ ")?;
-                for (k, key) in keys.iter().enumerate() {
-                    let comma = if k > 0 { ", " } else { "" };
-                    write!(f, "{comma}{} = {}", key.name, key.form)?;
-                }
-                f.write_str(" }")
+            Self::Table(keys) => within_braces(f, keys),
+            Self::VectorOrTable(keys) => {
+                f.write_str("[number, number] or ")?;
+                within_braces(f, keys)
+            }
+            Self::Tables(keys) => {
+                f.write_str("list of tables [")?;
+                within_braces(f, keys)?;
+                f.write_str(", ...]")
             }
         }
     }
+}
+
+impl Form {
+    /// The keys of the table or tables that such a value consists of.
+    pub(crate) fn inner(&self) -> Option<&'static [Key]> {
+        match self {
+            Self::Table(keys) | Self::Tables(keys) | Self::VectorOrTable(keys) => Some(keys),
+            _ => None,
+        }
+    }
+}
+
+/// `{ key = form, key = form }`.
+fn within_braces(f: &mut fmt::Formatter<'_>, keys: &[Key]) -> fmt::Result {
+    f.write_str("{ ")?;
+    for (k, key) in keys.iter().enumerate() {
+        let comma = if k > 0 { ", " } else { "" };
+        write!(f, "{comma}{} = {}", key.name, key.form)?;
+    }
+    f.write_str(" }")
 }
 
 impl Key {

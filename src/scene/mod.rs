@@ -17,6 +17,7 @@ mod draft;
 mod dump;
 mod expect;
 mod file;
+mod generate;
 mod gravity;
 mod history;
 mod key;
@@ -45,6 +46,7 @@ pub use about::About;
 pub use answer::Answer;
 pub use dump::Dump;
 pub use expect::{Band, Differs, Expect};
+pub use generate::{Generated, SizeGenerated};
 pub use history::History;
 pub use reference::{reference_table, reference_text};
 pub use rejection::Rejection;
@@ -68,6 +70,7 @@ const SECTIONS: &[Section] = &[
     pair::SECTION,
     particle::SECTION,
     wall::SECTION,
+    generate::SECTION,
     measure::SECTION,
     stage::SECTION,
     history::SECTION,
@@ -92,6 +95,8 @@ pub struct Scene {
     pub about: About,
     /// What the world is built from.
     pub setup: Setup,
+    /// What each `[[generate]]` placed.
+    pub generated: Vec<Generated>,
     /// Regions that measures are taken over; the first is the default.
     pub regions: Vec<Region>,
     /// What is recorded.
@@ -207,6 +212,7 @@ impl Scene {
                 ..draft.setup
             },
             check_every: draft.check_every,
+            generated: draft.generated,
             regions: draft.regions,
             history: draft.history,
             definitions: draft.known.definitions,

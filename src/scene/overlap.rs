@@ -5,7 +5,7 @@ use std::collections::HashMap;
 
 use super::draft::Draft;
 use super::problem::Problem;
-use crate::engine::setup::{ParticleSetup, WallSetup};
+use crate::engine::setup::WallSetup;
 
 /// Largest overlap that is accepted, as a fraction of the smaller radius.
 const ACCEPTED: f64 = 0.05;
@@ -133,7 +133,7 @@ fn reach(wall: &WallSetup) -> (f64, f64) {
 /// Whether to go on.
 fn check_wall(draft: &Draft<'_>, i: usize, w: usize) -> bool {
     let (particle, wall) = (&draft.setup.particles[i], &draft.setup.walls[w]);
-    let apart = distance(particle, wall);
+    let apart = distance(particle.at, wall);
     let overlap = particle.radius - apart;
     let problem = if apart == 0.0 {
         Problem::new(
@@ -171,10 +171,10 @@ fn check_wall(draft: &Draft<'_>, i: usize, w: usize) -> bool {
 }
 
 /// Distance of a centre from the nearest point of a wall.
-fn distance(particle: &ParticleSetup, wall: &WallSetup) -> f64 {
+pub(super) fn distance(at: [f64; 2], wall: &WallSetup) -> f64 {
     let [ex, ey] = wall.direction;
-    let x = particle.at[0] - wall.point[0];
-    let y = particle.at[1] - wall.point[1];
+    let x = at[0] - wall.point[0];
+    let y = at[1] - wall.point[1];
     let along = x * ex + y * ey;
     let across = y * ex - x * ey;
     let beyond = (wall.h1 - along).max(along - wall.h2).max(0.0);
@@ -190,6 +190,7 @@ fn per_cent(fraction: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::engine::setup::ParticleSetup;
     use crate::scene::draft::Mark;
     use crate::scene::place::Place;
     use crate::scene::problem::Report;

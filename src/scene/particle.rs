@@ -10,8 +10,8 @@ use crate::engine::setup::ParticleSetup;
 pub(crate) const SECTION: Section = Section {
     name: "particle",
     shape: Shape::Listed,
-    required: true,
-    summary: "one particle; they are numbered from 1 in the order of the preset",
+    required: false,
+    summary: "one particle; they are numbered from 1 in the order of the preset, before generated ones",
     keys: KEYS,
     read,
 };

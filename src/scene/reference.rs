@@ -1,7 +1,7 @@
 //! The reference of all keys, made from their declarations.
 
 use super::SECTIONS;
-use super::key::{Form, Key};
+use super::key::Key;
 
 /// All sections and keys as Markdown: what the README shows.
 pub fn reference_table() -> String {
@@ -50,7 +50,7 @@ fn push_cells(rows: &mut Vec<[String; 4]>, within: &str, key: &Key) {
     let name = format!("{within}{}", key.name);
     let summary = key.summary.to_owned();
     rows.push([name.clone(), key.wanted(), key.absent.to_string(), summary]);
-    if let Form::Table(keys) | Form::VectorOrTable(keys) = key.form {
+    if let Some(keys) = key.form.inner() {
         for key in keys {
             push_cells(rows, &format!("{name}."), key);
         }
@@ -62,7 +62,7 @@ fn push_rows(lines: &mut Vec<String>, within: &str, key: &Key) {
     let (wanted, absent) = (cell(&key.wanted()), cell(&key.absent.to_string()));
     let summary = cell(key.summary);
     lines.push(format!("| `{name}` | {wanted} | {absent} | {summary} |"));
-    if let Form::Table(keys) | Form::VectorOrTable(keys) = key.form {
+    if let Some(keys) = key.form.inner() {
         for key in keys {
             push_rows(lines, &format!("{name}."), key);
         }

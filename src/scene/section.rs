@@ -90,7 +90,30 @@ pub(crate) fn read_all<'a>(document: &'a Table, report: &'a Report) -> Draft<'a>
             None => {}
         }
     }
+    if BODIES.iter().all(|name| is_absent(document, name)) {
+        report.add(
+            Problem::new(
+                "the preset has no [[particle]] and no [[generate]]",
+                Place::new(0, 0..0),
+            )
+            .expected("particles are missing")
+            .remedy("add [[particle]] for each one, or a [[generate]] that places many"),
+        );
+    }
     draft
+}
+
+/// The tables that particles come from: a preset has one of them.
+const BODIES: [&str; 2] = ["particle", "generate"];
+
+/// Whether a listed table is written nowhere.
+fn is_absent(document: &Table, name: &str) -> bool {
+    let value = document.get(name).map(|entry| &entry.node.value);
+    match value {
+        None => true,
+        Some(Value::List(items)) => items.is_empty(),
+        Some(_) => false,
+    }
 }
 
 fn read<'a>(section: &Section, entry: &'a Entry, draft: &mut Draft<'a>) {

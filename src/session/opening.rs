@@ -8,7 +8,7 @@ use crate::engine::World;
 use crate::measure::reference::Reference;
 use crate::record::history::History;
 use crate::record::journal::{Journal, JournalWriter};
-use crate::scene::Scene;
+use crate::scene::{Generated, Scene};
 
 /// How a session is started.
 #[derive(Debug, Clone, Copy, Default)]
@@ -40,6 +40,8 @@ impl Session {
             ..Journal::default()
         };
         let reference = Reference::of(&world);
+        let notices = scene.generated.iter().filter_map(Generated::shortfall);
+        let notices = notices.collect();
         Ok(Self {
             scene,
             world,
@@ -50,7 +52,7 @@ impl Session {
             dump_stem: None,
             dumped: None,
             journal_file: None,
-            notices: Vec::new(),
+            notices,
             averages_only: false,
             follower: None,
             reference,

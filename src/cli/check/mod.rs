@@ -1,5 +1,6 @@
 //! `ballast check`: what a preset models, what it costs, and how its time step stands.
 
+mod generated;
 mod modelled;
 mod sizes;
 mod trial;
@@ -33,6 +34,7 @@ pub(super) fn check(options: &Check) -> u8 {
     let colon = if title.is_empty() { "" } else { ": " };
     report.text = format!("{}{colon}{title}\n", scene.name);
     modelled::describe(&mut report, &scene, world);
+    generated::describe(&mut report, &scene);
     sizes::describe(&mut report, &scene, world);
     step(&mut report, world);
     let trial = Trial::of(session);

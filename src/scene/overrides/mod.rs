@@ -5,13 +5,13 @@
 //! `wall.floor.velocity`, `stage.shear.until`), `particle.NUMBER.key` with the number that columns
 //! use, from 1, or `section.INDEX.key` from 0 for tables without a name (`pair.0.friction`). A
 //! further part goes into a list by index from 0 (`stage.shear.do.0`) or into a table by key
-//! (`model.gravity.g`). Parts with other characters than letters, digits, `_` and `-` are quoted.
+//! (`model.gravity.g`), as deep as there is something (`generate.0.grading.1.count`). Parts with other characters than letters, digits, `_` and `-` are quoted.
 //! The value is TOML; what begins with a letter and is no TOML value is a text.
 
 mod path;
 
 use super::document::{Entry, Node, Table, Value, read_value};
-use super::key::Form;
+use super::key::{Form, Key};
 use super::place::{Place, Source, quoted};
 use super::problem::Problem;
 use super::section::{Section, Shape, nearest_table};
@@ -55,16 +55,7 @@ pub(crate) fn apply(document: &mut Table, source: &Source, index: usize) -> Resu
         let what = format!("key of {}", section.header("NAME"));
         return Err(unknown(key, &what, nearest(&key.text, names)));
     };
-    match path.next() {
-        None => put(table, key, node),
-        Some(inner) => inside(table, key, &declared.form, inner, node)?,
-    }
-    match path.next() {
-        None => Ok(()),
-        Some(part) => Err(Problem::new("the path goes too deep", part.place)
-            .expected("there is nothing inside of a value")
-            .remedy(format!("end the path at `{}`", key.text))),
-    }
+    descend(table, key, &declared.form, &mut path, node)
 }
 
 /// The value after the `=`; a bare word is a text.
@@ -207,54 +198,85 @@ fn put(table: &mut Table, key: &Part, node: Node) {
     }
 }
 
-/// Replaces a part of a value: an element of a list, or a key of a table.
-fn inside(
+/// Puts a value under a key, or replaces a part of the value there: an element of a list, or a key
+/// of a table.
+fn descend<'p>(
     table: &mut Table,
     key: &Part,
     form: &Form,
-    inner: &Part,
+    path: &mut impl Iterator<Item = &'p Part>,
     node: Node,
 ) -> Result<(), Problem> {
+    let Some(inner) = path.next() else {
+        put(table, key, node);
+        return Ok(());
+    };
     if matches!(form, Form::Definitions) && table.get(&key.text).is_none() {
         let value = Value::Table(Table::default());
         let place = key.place;
         put(table, key, Node { place, value });
     }
-    match (
-        form,
-        table.get_mut(&key.text).map(|entry| &mut entry.node.value),
-    ) {
+    let held = table.get_mut(&key.text).map(|entry| &mut entry.node.value);
+    match (form, held) {
         (_, Some(Value::List(items))) => {
-            let index: Option<usize> = inner.text.parse().ok();
-            let count = items.len();
-            let item = index.and_then(|index| items.get_mut(index));
-            *item.ok_or_else(|| {
-                let what = format!("element of `{}`", key.text);
-                unknown(inner, &what, format!("it has {count}, counted from 0"))
-            })? = node;
+            let item = element(items, key, inner)?;
+            match (form, &mut item.value, path.next()) {
+                (_, _, None) => *item = node,
+                (Form::Tables(keys), Value::Table(inside), Some(part)) => {
+                    let form = form_of(keys, key, part)?;
+                    return descend(inside, part, form, path, node);
+                }
+                (_, _, Some(part)) => return Err(too_deep(part, inner)),
+            }
             Ok(())
         }
         (Form::Definitions, Some(Value::Table(inside))) => {
             put(inside, inner, node);
-            Ok(())
+            path.next()
+                .map_or(Ok(()), |part| Err(too_deep(part, inner)))
         }
-        (Form::Table(keys) | Form::VectorOrTable(keys), Some(Value::Table(inside)))
-            if keys.iter().any(|known| known.name == inner.text) =>
-        {
-            put(inside, inner, node);
-            Ok(())
+        (Form::Table(keys) | Form::VectorOrTable(keys), held) => {
+            let form = form_of(keys, key, inner)?;
+            match held {
+                Some(Value::Table(inside)) => descend(inside, inner, form, path, node),
+                _ => Err(holds_nothing(key, inner)),
+            }
         }
-        (Form::Table(keys) | Form::VectorOrTable(keys), _)
-            if keys.iter().all(|known| known.name != inner.text) =>
-        {
-            let what = format!("key of `{}`", key.text);
-            let names = keys.iter().map(|known| known.name);
-            Err(unknown(inner, &what, nearest(&inner.text, names)))
-        }
-        _ => Err(Problem::new("the path goes too deep", inner.place)
-            .expected(format!("`{}` of the preset holds nothing inside", key.text))
-            .remedy(format!("end the path at `{}`", key.text))),
+        _ => Err(holds_nothing(key, inner)),
     }
+}
+
+/// The element of a list that a part of a path counts.
+fn element<'t>(items: &'t mut [Node], key: &Part, part: &Part) -> Result<&'t mut Node, Problem> {
+    let index: Option<usize> = part.text.parse().ok();
+    let count = items.len();
+    let item = index.and_then(|index| items.get_mut(index));
+    item.ok_or_else(|| {
+        let what = format!("element of `{}`", key.text);
+        unknown(part, &what, format!("it has {count}, counted from 0"))
+    })
+}
+
+/// The form of a key within a value.
+fn form_of<'k>(keys: &'k [Key], within: &Part, part: &Part) -> Result<&'k Form, Problem> {
+    let found = keys.iter().find(|known| known.name == part.text);
+    found.map(|known| &known.form).ok_or_else(|| {
+        let what = format!("key of `{}`", within.text);
+        let names = keys.iter().map(|known| known.name);
+        unknown(part, &what, nearest(&part.text, names))
+    })
+}
+
+fn holds_nothing(key: &Part, inner: &Part) -> Problem {
+    Problem::new("the path goes too deep", inner.place)
+        .expected(format!("`{}` of the preset holds nothing inside", key.text))
+        .remedy(format!("end the path at `{}`", key.text))
+}
+
+fn too_deep(part: &Part, last: &Part) -> Problem {
+    Problem::new("the path goes too deep", part.place)
+        .expected("there is nothing inside of a value")
+        .remedy(format!("end the path at `{}`", last.text))
 }
 
 fn unknown(part: &Part, what: &str, remedy: String) -> Problem {

@@ -283,6 +283,51 @@ impl<'a> Reader<'a> {
         Some(numbers)
     }
 
+    /// A list of points; infinite and missing coordinates are reported.
+    pub(crate) fn vectors(&self, name: &str) -> Option<Vec<[f64; 2]>> {
+        let node = self.node(name)?;
+        let key = self.key(name);
+        let Value::List(items) = &node.value else {
+            return self.wrong(key, node);
+        };
+        let mut vectors = Vec::with_capacity(items.len());
+        for item in items {
+            let coordinate = |node: &Node| match node.value {
+                Value::Number(number) if number.float.is_finite() => Some(number.float),
+                _ => None,
+            };
+            let point = match &item.value {
+                Value::List(numbers) if numbers.len() == 2 => {
+                    coordinate(&numbers[0]).zip(coordinate(&numbers[1]))
+                }
+                _ => None,
+            };
+            match point {
+                Some((x, y)) => vectors.push([x, y]),
+                None => return self.wrong(key, item),
+            }
+        }
+        Some(vectors)
+    }
+
+    /// The tables a list consists of.
+    pub(crate) fn tables(&self, name: &str) -> Option<Vec<Reader<'a>>> {
+        let node = self.node(name)?;
+        let key = self.key(name);
+        let (Value::List(items), Form::Tables(keys)) = (&node.value, &key.form) else {
+            return self.wrong(key, node);
+        };
+        let mut readers = Vec::with_capacity(items.len());
+        for (k, item) in items.iter().enumerate() {
+            let Value::Table(table) = &item.value else {
+                return self.wrong(key, item);
+            };
+            let title = format!("`{name}` {}", k + 1);
+            readers.push(Reader::open(self.report, title, item.place, keys, table));
+        }
+        Some(readers)
+    }
+
     /// The table a value consists of, if it is one; reports another value where only one will do.
     pub(crate) fn table(&self, name: &str) -> Option<Reader<'a>> {
         let node = self.node(name)?;

@@ -1,0 +1,135 @@
+//! What is refused, where, and with which remedy.
+
+use crate::refusal;
+
+/// What is replaced by what in a good table, and parts of the report.
+const CASES: &[(&str, &str, [&str; 3])] = &[
+    (
+        "max = [1, 1]",
+        "max = [1, 0]",
+        [
+            "the `rectangle` has no area",
+            "g.toml:8:",
+            "`min` is the lower left corner",
+        ],
+    ),
+    (
+        "radius = 0.1",
+        "radius = 0.6",
+        [
+            "radius 0.6 m is larger than the region",
+            "g.toml:9:",
+            "0.5 m at most",
+        ],
+    ),
+    (
+        "count = 3",
+        "count = -3",
+        [
+            "`count` of `grading` 1 cannot be `-3`",
+            "g.toml:9:",
+            "whole number from 0",
+        ],
+    ),
+    (
+        "\"m\"",
+        "\"n\"",
+        [
+            "there is no material `n` for generate 1",
+            "g.toml:7:",
+            "there is m",
+        ],
+    ),
+    (
+        "grading = [{ radius = 0.1, count = 3 }]",
+        "grading = []",
+        [
+            "the `grading` of generate 1 is empty",
+            "g.toml:9:",
+            "expected a size or more",
+        ],
+    ),
+    (
+        "grading = [{ radius = 0.1, count = 3 }]",
+        "gap = 0.1",
+        ["generate 1 has no `grading`", "g.toml:6:", "add grading = "],
+    ),
+    (
+        "rectangle = { min = [0, 0], max = [1, 1] }",
+        "polygon = [[0, 0], [1, 1], [1, 0], [0, 1]]",
+        [
+            "crosses or touches itself: sides 1-2 and 3-4",
+            "g.toml:8:",
+            "list the corners once around",
+        ],
+    ),
+    (
+        "rectangle = { min = [0, 0], max = [1, 1] }",
+        "polygon = [[0, 0], [1, 1], [2, 2]]",
+        [
+            "crosses or touches itself",
+            "g.toml:8:",
+            "meet at corners only",
+        ],
+    ),
+    (
+        "rectangle = { min = [0, 0], max = [1, 1] }",
+        "polygon = [[0, 0], [1, 1]]",
+        [
+            "the `polygon` has no area",
+            "g.toml:8:",
+            "three corners or more",
+        ],
+    ),
+    (
+        "rectangle = { min = [0, 0], max = [1, 1] }",
+        "",
+        [
+            "`in` of generate 1 is nowhere",
+            "neither `circle`, `rectangle` nor `polygon`",
+            "write circle = ",
+        ],
+    ),
+    (
+        "min = [0, 0], max = [1, 1]",
+        "min = [1e15, 0], max = [2e15, 1]",
+        [
+            "the region of generate 1 is too far away",
+            "g.toml:8:",
+            "move the scene towards the origin",
+        ],
+    ),
+    (
+        "count = 3",
+        "count = 10_000_001",
+        ["`count` of `grading` 1 cannot be", "g.toml:9:", "10000000"],
+    ),
+    (
+        "radius = 0.1, count = 3",
+        "radius = 1e-5",
+        ["may fit", "10000000 at most", "give a `count`"],
+    ),
+];
+
+#[test]
+fn what_is_wrong_is_told_with_its_place() {
+    let good = "[[generate]]\nmaterial = \"m\"\n\
+                in = { rectangle = { min = [0, 0], max = [1, 1] } }\n\
+                grading = [{ radius = 0.1, count = 3 }]\n";
+    for (from, to, parts) in CASES {
+        assert!(good.contains(from), "{from}");
+        let refused = refusal(&good.replace(from, to));
+        for part in parts {
+            assert!(refused.contains(part), "{to}: {part}\n{refused}");
+        }
+    }
+}
+
+#[test]
+fn a_preset_without_particles_names_both_ways() {
+    let refused = refusal("");
+    assert!(
+        refused.contains("no [[particle]] and no [[generate]]"),
+        "{refused}"
+    );
+}
