@@ -58,7 +58,7 @@ fn columns() -> String {
 
 /// The workbench on the falling pile, as a screen of text.
 fn picture() -> String {
-    use ballast::session::frames::{Shown, Wants};
+    use ballast::session::frames::Shown;
     use ballast::session::{Budget, Options, Session};
     use ballast::tui::app::App;
     use ballast::tui::link::{Line, Link};
@@ -77,6 +77,8 @@ fn picture() -> String {
         }),
     );
     let mut shown = Shown::default();
+    let area = Rect::new(0, 0, 112, 36);
+    app.draw(area, &mut Buffer::empty(area));
     for cycle in [0, 4000, 7000, 8300] {
         let budget = Budget {
             until_cycle: Some(cycle),
@@ -84,14 +86,13 @@ fn picture() -> String {
         };
         session.advance(budget, false).unwrap();
         app.take_frame(Box::new(session.frame(
-            Wants::default(),
+            app.wants(),
             1500.0,
             true,
             &mut shown,
         )));
     }
     app.pace = Some(1500.0);
-    let area = Rect::new(0, 0, 112, 36);
     let mut buffer = Buffer::empty(area);
     app.draw(area, &mut buffer);
     let mut text = String::from("```\n");
@@ -129,6 +130,10 @@ fn tables_and_picture_are_those_of_the_code() {
             ballast::language::reference_table(),
         ),
         ("<!-- table: columns -->", columns()),
+        (
+            "<!-- table: panes -->",
+            ballast::tui::panes::reference_table(),
+        ),
         (
             "<!-- table: keymap -->",
             ballast::tui::keys::reference_table(),

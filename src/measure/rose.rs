@@ -20,6 +20,8 @@ pub struct Rose {
     pub contacts: Vec<f64>,
     /// Normal force per petal [N].
     pub force: Vec<f64>,
+    /// Size of the tangential force per petal [N].
+    pub shear: Vec<f64>,
     /// Sliding contacts per petal.
     pub sliding: Vec<f64>,
 }
@@ -34,6 +36,7 @@ impl Rose {
         let mut rose = Self {
             contacts: vec![0.0; petals],
             force: vec![0.0; petals],
+            shear: vec![0.0; petals],
             sliding: vec![0.0; petals],
         };
         let width = 180.0 / petals as f64;
@@ -43,6 +46,7 @@ impl Rose {
             let petal = (angle / width).round() as usize % petals;
             rose.contacts[petal] += weight;
             rose.force[petal] += weight * link.normal;
+            rose.shear[petal] += weight * link.tangential.abs();
             rose.sliding[petal] += weight * f64::from(u8::from(link.sliding));
         }
         rose

@@ -1,16 +1,14 @@
-//! Everything that can be drawn of a region, taken at one cycle boundary: what panes show besides
-//! the assembly itself. Complete in itself, like the picture: whoever draws it needs no world.
+//! What can be drawn of a region besides the assembly itself, taken at one cycle boundary: as much
+//! of it as is wanted. Complete in itself, like the picture: whoever draws it needs no world.
 
 use super::changes::{Bond, Changes, lattice};
 use super::contact_area::normal_stresses;
 use super::fabric::Fabric;
-use super::flow::Flow;
-use super::fourier::Fourier;
 use super::histogram::Histogram;
 use super::link::normal_forces;
 use super::obliquity::Obliquity;
 use super::profile::{Profile, RINGS};
-use super::redundancy::Redundancy;
+use super::reference::Reference;
 use super::rose::Rose;
 use super::sample::Sample;
 use super::strain::Strain;
@@ -18,6 +16,56 @@ use super::stress::Stress;
 
 /// Bars of the histograms that begin at zero.
 const BARS: usize = 16;
+
+/// A part of a survey.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// Roses and fabric.
+    Directions,
+    /// Stress, fabric, strain.
+    Tensors,
+    /// T/(μ N) of the contacts.
+    Obliquity,
+    /// Mean normal stress on the contact areas.
+    ContactStress,
+    /// Normal forces.
+    NormalForce,
+    /// Contacts and rotations against the reference.
+    Changes,
+    /// Porosity by distance.
+    Profile,
+}
+
+/// Which parts are wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Parts(u8);
+
+impl Parts {
+    /// All of them.
+    pub const ALL: Self = Self(u8::MAX);
+
+    /// These and another one.
+    #[must_use]
+    pub const fn with(self, part: Part) -> Self {
+        Self(self.0 | 1 << part as u8)
+    }
+
+    /// Whether a part is among them.
+    pub const fn has(self, part: Part) -> bool {
+        self.0 & 1 << part as u8 != 0
+    }
+}
+
+/// Tensors of a region: what circles of Mohr are drawn of.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tensors {
+    /// Stress and its parts.
+    pub stress: Stress,
+    /// Fabric, plain and weighted.
+    pub fabric: Fabric,
+    /// Strain since the reference, if there is one.
+    pub strain: Option<Strain>,
+}
 
 /// How far a particle is from where it was at the reference.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,72 +78,72 @@ pub struct Displaced {
     pub rotation: f64,
 }
 
-/// The measures of the default region.
+/// The whole assembly against the reference.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Survey {
-    /// Stress and its parts; the circle of Mohr is that of its principal values.
-    pub stress: Stress,
-    /// Fabric, with its own circle.
-    pub fabric: Fabric,
-    /// Waves over directions.
-    pub fourier: Fourier,
-    /// Contacts by direction.
-    pub rose: Rose,
-    /// Points of the scatter diagram, and their histogram.
-    pub obliquity: Obliquity,
-    /// Mean normal stress on the contact areas [Pa].
-    pub contact_stress: Histogram,
-    /// Normal forces [N].
-    pub normal_force: Histogram,
-    /// Unknown forces and equations.
-    pub redundancy: Redundancy,
-    /// Strain rate and fluctuations.
-    pub flow: Flow,
-    /// Strain since the reference, if there is one.
-    pub strain: Option<Strain>,
-    /// Contacts and rotations against the reference, if there is one.
-    pub changes: Option<Changes>,
-    /// The space lattice of the whole assembly against the reference [m]; empty without one.
+pub struct Against {
+    /// Cycle of the reference.
+    pub since: u64,
+    /// Counts of the region.
+    pub changes: Changes,
+    /// The space lattice [m].
     pub lattice: Vec<(Bond, [[f64; 2]; 2])>,
     /// Displacements and rotations of all particles that were there at the reference.
     pub displaced: Vec<Displaced>,
+}
+
+/// The measures of the default region that were wanted.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Survey {
+    /// Contacts by direction, and their fabric.
+    pub directions: Option<(Rose, Fabric)>,
+    /// Stress, fabric, strain.
+    pub tensors: Option<Tensors>,
+    /// Points of the scatter diagram, and their histogram.
+    pub obliquity: Option<Obliquity>,
+    /// Mean normal stress on the contact areas [Pa].
+    pub contact_stress: Option<Histogram>,
+    /// Normal forces [N].
+    pub normal_force: Option<Histogram>,
+    /// Contacts and rotations against the reference, if there is one.
+    pub against: Option<Against>,
     /// Porosity by distance.
-    pub profile: Profile,
+    pub profile: Option<Profile>,
 }
 
 impl Survey {
-    /// Takes all of it.
-    pub fn of(sample: &Sample<'_>) -> Self {
+    /// Takes what is wanted.
+    pub fn of(sample: &Sample<'_>, parts: Parts) -> Self {
         let (region, world) = (sample.regional(), sample.world());
-        let inside = region.members();
-        let bonds = |reference| lattice(world, reference);
+        let wanted = |part: Part| parts.has(part).then_some(());
         Self {
-            stress: *region.stress(),
-            fabric: *region.fabric(),
-            fourier: *region.fourier(),
-            rose: region.rose(),
-            obliquity: region.obliquity().clone(),
-            contact_stress: Histogram::from_zero(&normal_stresses(world, inside), BARS),
-            normal_force: Histogram::from_zero(&normal_forces(world, inside), BARS),
-            redundancy: *region.redundancy(),
-            flow: *region.flow(),
-            strain: region.strain().copied(),
-            changes: region.changes().copied(),
-            lattice: sample.reference().map(bonds).unwrap_or_default(),
-            displaced: displaced(sample),
-            profile: Profile::of(world, region.shape(), RINGS),
+            directions: wanted(Part::Directions).map(|()| (region.rose(), *region.fabric())),
+            tensors: wanted(Part::Tensors).map(|()| Tensors {
+                stress: *region.stress(),
+                fabric: *region.fabric(),
+                strain: region.strain().copied(),
+            }),
+            obliquity: wanted(Part::Obliquity).map(|()| region.obliquity().clone()),
+            contact_stress: wanted(Part::ContactStress)
+                .map(|()| Histogram::from_zero(&normal_stresses(world, region.members()), BARS)),
+            normal_force: wanted(Part::NormalForce)
+                .map(|()| Histogram::from_zero(&normal_forces(world, region.members()), BARS)),
+            against: wanted(Part::Changes)
+                .and_then(|()| Some(against(sample, sample.reference()?, *region.changes()?))),
+            profile: wanted(Part::Profile).map(|()| Profile::of(world, region.shape(), RINGS)),
         }
     }
 }
 
-fn displaced(sample: &Sample<'_>) -> Vec<Displaced> {
-    let Some(reference) = sample.reference() else {
-        return Vec::new();
-    };
-    let (world, ids) = (sample.world(), &sample.world().particles().id);
-    let moved = ids.iter().filter_map(|&ball| {
+fn against(sample: &Sample<'_>, reference: &Reference, changes: Changes) -> Against {
+    let world = sample.world();
+    let moved = world.particles().id.iter().filter_map(|&ball| {
         let (u, rotation) = reference.change(world, ball)?;
         Some(Displaced { ball, u, rotation })
     });
-    moved.collect()
+    Against {
+        since: reference.cycle,
+        changes,
+        lattice: lattice(world, reference),
+        displaced: moved.collect(),
+    }
 }

@@ -10,31 +10,23 @@ use crate::engine::world::FraccMonitor;
 use crate::language::Observable;
 use crate::measure::assembly::Assembly;
 use crate::measure::columns::Kind;
-use crate::measure::fabric::Fabric;
 use crate::measure::frame::Picture;
 use crate::measure::polygon::ForcePolygon;
-use crate::measure::rose::Rose;
 use crate::measure::sample::Sample;
-use crate::measure::survey::Survey;
+use crate::measure::survey::{Parts, Survey};
 
 /// While cycles run the stability bound shown may be so old.
 const LIMIT_AGE: Duration = Duration::from_secs(1);
 
 /// Which costly parts of a frame are wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[expect(
-    clippy::struct_excessive_bools,
-    reason = "each part is wanted or not, whatever is wanted besides"
-)]
 pub struct Wants {
     /// Discs, contacts and walls.
     pub picture: bool,
     /// Energies, if they are booked or not.
     pub energies: bool,
-    /// Rose diagrams.
-    pub roses: bool,
-    /// All measures of the first region.
-    pub survey: bool,
+    /// Measures of the first region.
+    pub survey: Parts,
     /// The polygon of the forces on the particle of this number.
     pub polygon: Option<u32>,
 }
@@ -44,8 +36,7 @@ impl Default for Wants {
         Self {
             picture: true,
             energies: true,
-            roses: true,
-            survey: false,
+            survey: Parts::default(),
             polygon: None,
         }
     }
@@ -107,10 +98,8 @@ pub struct Frame {
     pub bookings: Option<Bookings>,
     /// The contact that is followed, if one is.
     pub contact: Option<Inspection>,
-    /// Directions of contact normals in the first region, if wanted.
-    pub directions: Option<(Rose, Fabric)>,
-    /// All measures of the first region, if wanted.
-    pub survey: Option<Survey>,
+    /// Measures of the first region, those wanted.
+    pub survey: Survey,
     /// Forces on a particle, if wanted and there.
     pub polygon: Option<ForcePolygon>,
     /// Columns that are recorded and are numbers.
@@ -176,9 +165,7 @@ impl Session {
         let known = Arc::new(self.known());
         let sample = Sample::over(&mut self.world, &self.scene.regions, Some(&self.reference));
         let assembly = *sample.assembly();
-        let regional = sample.regional();
-        let directions = wants.roses.then(|| (regional.rose(), *regional.fabric()));
-        let survey = wants.survey.then(|| Survey::of(&sample));
+        let survey = Survey::of(&sample, wants.survey);
         let drawn = wants
             .polygon
             .and_then(|id| sample.world().particles().index(id));
@@ -220,7 +207,6 @@ impl Session {
             energies,
             bookings,
             contact: self.inspection(),
-            directions,
             survey,
             polygon,
             columns: Arc::clone(&shown.columns),

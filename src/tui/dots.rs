@@ -120,6 +120,26 @@ impl Dots {
         self.bar(from, to, 1, ink);
     }
 
+    /// A dotted line: one dot in three, or in two where dots are large.
+    pub fn dotted(&mut self, from: [f64; 2], to: [f64; 2], ink: Ink) {
+        let limits = self.size.map(|n| n as f64);
+        let Some([a, b]) = clipped(from, to, 0.0, limits) else {
+            return;
+        };
+        let d = [b[0] - a[0], b[1] - a[1]];
+        let period = if self.points == Points::Braille {
+            3.0
+        } else {
+            2.0
+        };
+        let steps = (d[0].abs().max(d[1].abs()) / period).floor().max(1.0) as i64;
+        for step in 0..=steps {
+            let s = step as f64 / steps as f64;
+            let [x, y] = [0, 1].map(|k| (a[k] + s * d[k]).floor() as i64);
+            self.dot(x, y, ink);
+        }
+    }
+
     /// A line so many dots wide.
     pub fn bar(&mut self, from: [f64; 2], to: [f64; 2], width: u8, ink: Ink) {
         let margin = 8.0;
@@ -250,7 +270,7 @@ fn clipped(from: [f64; 2], to: [f64; 2], low: f64, high: [f64; 2]) -> Option<[[f
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tui::look::{Chains, Theme};
+    use crate::tui::look::{Chains, Compared, Theme};
     use proptest::prelude::*;
 
     fn text(dots: &Dots) -> Vec<String> {
@@ -260,6 +280,7 @@ mod tests {
             chains: Chains::Off,
             discs: true,
             velocities: false,
+            compared: Compared::Off,
         };
         let area = Rect::new(0, 0, dots.cells[0] as u16, dots.cells[1] as u16);
         let mut buffer = Buffer::empty(area);

@@ -150,7 +150,7 @@ fn normal(body: Rect) -> Vec<(PaneId, Rect)> {
         (PaneId::Chart(1), b),
         (PaneId::Chart(2), c),
         (PaneId::Dialogue, dialogue),
-        (PaneId::Rose, rose),
+        (PaneId::Rose(0), rose),
         (PaneId::Monitor, monitor),
     ]
 }
@@ -182,8 +182,8 @@ fn wide(body: Rect) -> Vec<(PaneId, Rect)> {
         (PaneId::Chart(1), b),
         (PaneId::Chart(2), c),
         (PaneId::Chart(3), d),
-        (PaneId::Rose, rose),
-        (PaneId::WeightedRose, weighted),
+        (PaneId::Rose(0), rose),
+        (PaneId::Rose(1), weighted),
         (PaneId::Monitor, monitor),
         (PaneId::Dialogue, dialogue),
         (PaneId::Numbers, numbers),

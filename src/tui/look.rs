@@ -34,6 +34,32 @@ pub enum Chains {
     Tangential,
 }
 
+/// What is drawn against the reference.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Compared {
+    /// Nothing: forces are.
+    Off,
+    /// Contacts: kept, new, broken.
+    Contacts,
+    /// Rotations of discs.
+    Rotations,
+    /// Displacements of discs.
+    Displacements,
+}
+
+impl Compared {
+    /// The one after it.
+    #[must_use]
+    pub fn next(self) -> Self {
+        match self {
+            Self::Off => Self::Contacts,
+            Self::Contacts => Self::Rotations,
+            Self::Rotations => Self::Displacements,
+            Self::Displacements => Self::Off,
+        }
+    }
+}
+
 /// Settings of the picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Look {
@@ -47,6 +73,8 @@ pub struct Look {
     pub discs: bool,
     /// Whether velocities are drawn.
     pub velocities: bool,
+    /// What is drawn against the reference, instead of forces.
+    pub compared: Compared,
 }
 
 /// Roles that a style is asked for.
@@ -148,6 +176,7 @@ pub fn from_environment(get: impl Fn(&str) -> Option<String>) -> Look {
         chains: Chains::Force,
         discs: true,
         velocities: false,
+        compared: Compared::Off,
     }
 }
 

@@ -19,6 +19,7 @@ pub mod prompt;
 pub mod scale;
 pub mod series;
 pub mod terminal;
+pub mod trail;
 pub mod view;
 pub mod workbench;
 pub mod write;

@@ -154,6 +154,27 @@ impl Plot {
         }
     }
 
+    /// A dotted line between two points.
+    pub fn dotted(&mut self, from: (f64, f64), to: (f64, f64)) {
+        self.dots.dotted(self.at(from), self.at(to), Ink::Guide);
+    }
+
+    /// A filled column from zero up, a dot apart from its neighbours where they are wide enough.
+    pub fn column(&mut self, (from, to): (f64, f64), height: f64, ink: Ink) {
+        let (low, high) = (self.at((from, 0.0)), self.at((to, height)));
+        if !low.iter().chain(&high).all(|place| place.is_finite()) || height <= 0.0 {
+            return;
+        }
+        let [left, right] = [low[0], high[0]].map(|x| x.round() as i64);
+        let gap = i64::from(right - left >= 3);
+        let [top, foot] = [high[1], low[1]].map(|y| y.floor() as i64);
+        for x in left..(right - gap).max(left + 1) {
+            for y in top..=foot {
+                self.dots.dot(x, y, ink);
+            }
+        }
+    }
+
     /// A point that stands out.
     pub fn mark(&mut self, point: (f64, f64)) {
         let [x, y] = self.at(point);

@@ -15,6 +15,7 @@ use super::painter::Painter;
 use super::terminal::Terminal;
 use crate::record::interrupt::{Interrupt, Signal};
 use crate::scene::Scene;
+use crate::session::frames::Wants;
 use crate::session::worker::{Keep, Order, Worker};
 use crate::session::{Options, RunError, Session};
 
@@ -59,6 +60,8 @@ struct Workbench {
     urgent: bool,
     /// Frames to be drawn as soon as they come: an order was given, and its answer is waited for.
     eager: u8,
+    /// What frames were last asked to carry.
+    wants: Option<Wants>,
 }
 
 /// Runs a workbench on a scene.
@@ -121,6 +124,7 @@ pub fn run(scene: Scene, start: &Start) -> Result<Ended, RunError> {
         threads: start.threads,
         urgent: true,
         eager: 0,
+        wants: None,
     };
     let end = bench.work(&interrupt, &jobs);
     Ok(bench.close(&end))
@@ -206,6 +210,7 @@ impl Workbench {
             self.urgent = false;
             let mut buffer = Buffer::empty(area);
             let cursor = self.app.draw(area, &mut buffer);
+            self.ask_for_what_is_seen();
             let text = self.painter.paint(&buffer, cursor);
             if !text.is_empty() {
                 self.terminal.send(text)?;
@@ -224,6 +229,16 @@ impl Workbench {
         } else {
             IDLE
         })
+    }
+
+    /// Frames carry what the panes on the screen draw, and no more.
+    fn ask_for_what_is_seen(&mut self) {
+        let wants = self.app.wants();
+        if self.wants != Some(wants) {
+            self.wants = Some(wants);
+            self.eager = self.eager.max(2);
+            self.worker.order(Order::Wants(wants));
+        }
     }
 
     fn keys(&mut self) -> Option<End> {

@@ -5,9 +5,10 @@ use proptest::prelude::*;
 
 use ballast::engine::contact::inner::Inner;
 use ballast::measure::frame::Picture;
+use ballast::measure::survey::Survey;
 use ballast::session::frames::Frame;
 use ballast::tui::app::{App, Overlay, Said, Warning};
-use ballast::tui::look::{Chains, Look, Points, Theme};
+use ballast::tui::look::{Chains, Compared, Look, Points, Theme};
 use ballast::tui::panes::{PANES, PaneId};
 
 use crate::drawn;
@@ -32,7 +33,7 @@ fn frame_of(kind: u8, odd: f64) -> Frame {
         0 => frame.contact = Some(contact()),
         1 => {
             frame.picture = Picture::default();
-            frame.directions = None;
+            frame.survey = Survey::default();
             frame.rows.clear();
             frame.energies = None;
             frame.bookings = None;
@@ -56,12 +57,7 @@ fn spoil(frame: &mut Frame, odd: f64) {
     for disc in &mut frame.picture.discs {
         (disc.at, disc.radius, disc.velocity, disc.angle) = ([odd; 2], odd, [odd; 2], odd);
     }
-    if let Some((rose, fabric)) = &mut frame.directions {
-        rose.contacts[3] = odd;
-        rose.force[4] = odd;
-        fabric.plain[(0, 1)] = odd;
-        fabric.weighted[(0, 0)] = odd;
-    }
+    spoil_survey(&mut frame.survey, odd);
     let mut followed = contact();
     for moment in followed.trace.iter_mut().step_by(3) {
         (moment.alpha, moment.t) = (odd, odd);
@@ -97,6 +93,33 @@ fn spoil(frame: &mut Frame, odd: f64) {
     frame.stage = "Böschung".into();
 }
 
+fn spoil_survey(survey: &mut Survey, odd: f64) {
+    if let Some((rose, fabric)) = &mut survey.directions {
+        rose.contacts[3] = odd;
+        rose.force[4] = odd;
+        fabric.plain[(0, 1)] = odd;
+        fabric.weighted[(0, 0)] = odd;
+    }
+    if let Some(tensors) = &mut survey.tensors {
+        tensors.stress.total[(1, 1)] = odd;
+        if let Some(strain) = &mut tensors.strain {
+            strain.tensor.fill(odd);
+        }
+    }
+    if let Some(against) = &mut survey.against {
+        against.lattice[0].1 = [[odd; 2]; 2];
+        (against.displaced[1].u, against.displaced[2].rotation) = ([odd; 2], odd);
+    }
+    if let Some(obliquity) = &mut survey.obliquity {
+        obliquity.contacts[2] = [odd, odd, 1.0];
+    }
+    for histogram in [&mut survey.contact_stress, &mut survey.normal_force] {
+        let Some(histogram) = histogram else { continue };
+        histogram.bars[2] = odd;
+        (histogram.high, histogram.mean) = (odd, odd);
+    }
+}
+
 /// A state of the screen.
 #[derive(Debug, Clone)]
 struct State {
@@ -111,6 +134,7 @@ struct State {
     selected: Option<u32>,
     failed: bool,
     magnified: i32,
+    turned: usize,
 }
 
 fn look() -> impl Strategy<Value = Look> {
@@ -124,15 +148,22 @@ fn look() -> impl Strategy<Value = Look> {
         Just(Chains::Force),
         Just(Chains::Tangential)
     ];
-    (points, chains, any::<[bool; 3]>()).prop_map(|(points, chains, [mono, discs, velocities])| {
-        Look {
+    let compared = prop_oneof![
+        Just(Compared::Off),
+        Just(Compared::Contacts),
+        Just(Compared::Rotations),
+        Just(Compared::Displacements)
+    ];
+    (points, chains, any::<[bool; 3]>(), compared).prop_map(
+        |(points, chains, [mono, discs, velocities], compared)| Look {
             theme: if mono { Theme::Mono } else { Theme::Colour },
             points,
             chains,
             discs,
             velocities,
-        }
-    })
+            compared,
+        },
+    )
 }
 
 fn state() -> impl Strategy<Value = State> {
@@ -154,7 +185,12 @@ fn state() -> impl Strategy<Value = State> {
         0usize..ODD.len(),
         0usize..30,
     );
-    let rest = (prop::option::of(0u32..9), any::<bool>(), -10i32..40);
+    let rest = (
+        prop::option::of(0u32..9),
+        any::<bool>(),
+        -10i32..40,
+        0usize..5,
+    );
     (screen, run, rest).prop_map(|(screen, run, rest)| State {
         look: screen.0,
         overlay: screen.1,
@@ -167,6 +203,7 @@ fn state() -> impl Strategy<Value = State> {
         selected: rest.0,
         failed: rest.1,
         magnified: rest.2,
+        turned: rest.3,
     })
 }
 
@@ -191,6 +228,7 @@ fn screen(state: &State) -> App {
     app.unseen = 1;
     app.overlay = state.overlay;
     app.zoomed = PANES.get(state.zoomed).map(|(id, _)| *id);
+    app.turned = PANES.iter().map(|(id, _)| (*id, state.turned)).collect();
     app.focus = state.focus;
     app.scrolled = state.scrolled;
     app.selected = state.selected;

@@ -1,7 +1,6 @@
 //! A screen made by hand: seven discs on a floor between two walls, a history, warnings.
 
 use ballast::measure::fabric::Fabric;
-use ballast::measure::rose::{PETALS, Rose};
 use nalgebra::{Matrix2, Vector2};
 use std::sync::Arc;
 
@@ -11,13 +10,20 @@ use ballast::engine::ledger::{Bookings, Energies};
 use ballast::engine::world::FraccMonitor;
 use ballast::language::Observable;
 use ballast::measure::assembly::Assembly;
+use ballast::measure::changes::{Bond, Changes};
 use ballast::measure::columns::Column;
 use ballast::measure::frame::{Disc, Picture, Stroke, Touch};
+use ballast::measure::histogram::Histogram;
+use ballast::measure::obliquity::Obliquity;
+use ballast::measure::rose::{PETALS, Rose};
+use ballast::measure::strain::Strain;
+use ballast::measure::stress::Stress;
+use ballast::measure::survey::{Against, Displaced, Survey, Tensors};
 use ballast::session::frames::{ChartRow, Frame};
 use ballast::session::inspect::{Inspection, Moment};
 use ballast::tui::app::{App, Said};
 use ballast::tui::link::{Line, Link};
-use ballast::tui::look::{Chains, Look, Points, Theme};
+use ballast::tui::look::{Chains, Compared, Look, Points, Theme};
 
 /// Usual settings.
 pub(crate) const LOOK: Look = Look {
@@ -26,6 +32,7 @@ pub(crate) const LOOK: Look = Look {
     chains: Chains::Force,
     discs: true,
     velocities: false,
+    compared: Compared::Off,
 };
 
 const COLUMNS: [&str; 8] = [
@@ -71,15 +78,107 @@ pub(crate) fn app(look: Look) -> App {
     app
 }
 
-/// The frame.
+/// What is measured of a picture.
+fn survey(picture: &Picture) -> Survey {
+    let directions = directions(picture);
+    let touches = &picture.touches;
+    let mean = touches.iter().map(|touch| touch.n).sum::<f64>() / touches.len() as f64;
+    let friction = 0.3;
+    let obliquities = touches.iter().zip(0_i32..);
+    let obliquity = obliquities.map(|(touch, k)| {
+        let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+        [touch.n / mean, sign * touch.t / (friction * touch.n), 1.0]
+    });
+    let forces: Vec<(f64, f64)> = touches.iter().map(|touch| (touch.n, 1.0)).collect();
+    let stresses: Vec<(f64, f64)> = touches
+        .iter()
+        .map(|touch| (1e6 * touch.n.cbrt(), 1.0))
+        .collect();
+    let zero = Matrix2::zeros();
+    let total = Matrix2::new(60.0, 12.0, 10.0, 130.0);
+    let tensors = Tensors {
+        stress: Stress {
+            total,
+            fabric: total,
+            normal_variation: zero,
+            normal: total,
+            shear: zero,
+            mean_normal: mean,
+        },
+        fabric: directions.1,
+        strain: Some(Strain {
+            tensor: Matrix2::new(-2e-3, 1e-4, 3e-4, 6e-3),
+            particles: 7,
+        }),
+    };
+    Survey {
+        directions: Some(directions),
+        tensors: Some(tensors),
+        obliquity: Some(Obliquity {
+            contacts: obliquity.collect(),
+        }),
+        contact_stress: Some(Histogram::from_zero(&stresses, 16)),
+        normal_force: Some(Histogram::from_zero(&forces, 16)),
+        against: Some(against(picture)),
+        profile: None,
+    }
+}
+
+/// Against a reference at which disc 5 leant on disc 6 and not on disc 4.
+fn against(picture: &Picture) -> Against {
+    let bond = |touch: &Touch| match (touch.first, touch.second) {
+        (4, Some(5)) => Bond::Made,
+        _ => Bond::Kept,
+    };
+    let touches = picture.touches.iter();
+    let mut lattice: Vec<_> = touches.map(|touch| (bond(touch), touch.ends)).collect();
+    if let [.., fifth, sixth, _] = &picture.discs[..] {
+        lattice.push((Bond::Broken, [fifth.at, sixth.at]));
+    }
+    let moved = picture.discs.iter().map(|disc| {
+        let k = f64::from(disc.id);
+        Displaced {
+            ball: disc.id,
+            u: [0.01 * (k - 4.0), -0.005 * k],
+            rotation: 0.02 * (k - 3.0),
+        }
+    });
+    Against {
+        since: 12_000,
+        changes: Changes {
+            broken: 1.0,
+            made: 1.0,
+            kept: 9.0,
+            rotation: 0.04,
+            rotation_max: 0.08,
+        },
+        lattice,
+        displaced: moved.collect(),
+    }
+}
+
+/// What is measured where nothing touches.
+pub(crate) fn survey_of_nothing() -> Survey {
+    let mut survey = survey(&Picture::default());
+    let (rose, _) = survey.directions.as_mut().expect("it is there");
+    rose.contacts.fill(0.0);
+    let tensors = survey.tensors.as_mut().expect("it is there");
+    tensors.stress.total.fill(0.0);
+    tensors.strain = None;
+    survey
+}
+
 /// Directions of the contacts of a picture, as the measures would count them.
 fn directions(picture: &Picture) -> (Rose, Fabric) {
     let mut rose = Rose {
         contacts: vec![0.0; PETALS],
         force: vec![0.0; PETALS],
+        shear: vec![0.0; PETALS],
         sliding: vec![0.0; PETALS],
     };
     let (mut plain, mut weighted) = (Matrix2::zeros(), Matrix2::zeros());
+    let mut by_tangential = Matrix2::zeros();
+    let shear: f64 = picture.touches.iter().map(|touch| touch.t.abs()).sum();
     let count = picture.touches.len() as f64;
     let force: f64 = picture.touches.iter().map(|touch| touch.n).sum();
     for touch in &picture.touches {
@@ -87,19 +186,23 @@ fn directions(picture: &Picture) -> (Rose, Fabric) {
         let petal = (angle / 10.0).round().rem_euclid(18.0) as usize;
         rose.contacts[petal] += 1.0;
         rose.force[petal] += touch.n;
+        rose.shear[petal] += touch.t.abs();
+        rose.sliding[petal] += f64::from(u8::from(touch.sliding));
         let e = Vector2::from(touch.normal);
         plain += e * e.transpose() / count;
         weighted += e * e.transpose() * touch.n / force;
+        by_tangential += e * e.transpose() * touch.t.abs() / shear;
     }
     let fabric = Fabric {
         plain,
         weighted,
-        by_tangential: Matrix2::zeros(),
+        by_tangential,
         contacts: count,
     };
     (rose, fabric)
 }
 
+/// The frame.
 pub(crate) fn frame() -> Frame {
     let column = |name| Column::parse(name).expect("it is in the list");
     let columns = COLUMNS.map(|name| Observable::Column(column(name)));
@@ -137,7 +240,6 @@ pub(crate) fn frame() -> Frame {
             worst: Some((14_200, 6, 0.391)),
         },
         contact: None,
-        directions: Some(directions(&picture())),
         picture: picture(),
         energies: Some(Energies {
             kinetic: 0.012,
@@ -155,7 +257,7 @@ pub(crate) fn frame() -> Frame {
             boundary_work: -0.39,
             energy_error: 2.1e-13,
         }),
-        survey: None,
+        survey: survey(&picture()),
         polygon: None,
         columns: columns.to_vec().into(),
         rows: (0..=148).map(row).collect(),

@@ -1,10 +1,19 @@
 //! Pictures, as text. They change only when what is drawn is meant to change.
 
-use ballast::tui::app::{App, Overlay, Said};
-use ballast::tui::look::{Chains, Points, Theme};
-use ballast::tui::panes::{PANES, PaneId};
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
-use crate::example::{LOOK, app, contact, empty};
+use ballast::language::Observable;
+use ballast::measure::columns::Column;
+use ballast::measure::frame::Picture;
+use ballast::measure::survey::Part;
+use ballast::session::frames::Frame;
+use ballast::tui::app::{App, Overlay, Said};
+use ballast::tui::look::{Chains, Compared, Points, Theme};
+use ballast::tui::panes::{PANES, PaneId};
+use ballast::tui::series::Series;
+use ballast::tui::trail::Trail;
+
+use crate::example::{LOOK, app, contact, empty, frame, survey_of_nothing};
 use crate::{drawn, text};
 
 const SIZES: [(u16, u16); 3] = [(80, 24), (120, 40), (200, 60)];
@@ -54,8 +63,17 @@ fn what_lies_over_panes() {
 #[test]
 fn assembly_in_its_variants() {
     let enlarged = |app: &mut App| app.zoomed = Some(PaneId::Assembly);
-    let variants: [Variant; 7] = [
+    let variants: [Variant; 12] = [
         ("ascii", |app| app.look.points = Points::Ascii),
+        ("changed", |app| app.look.compared = Compared::Contacts),
+        ("turned", |app| app.look.compared = Compared::Rotations),
+        ("moved", |app| app.look.compared = Compared::Displacements),
+        ("changed_ascii", |app| {
+            (app.look.compared, app.look.points) = (Compared::Contacts, Points::Ascii);
+        }),
+        ("turned_ascii", |app| {
+            (app.look.compared, app.look.points) = (Compared::Rotations, Points::Ascii);
+        }),
         ("half_blocks", |app| app.look.points = Points::HalfBlock),
         ("tangential", |app| app.look.chains = Chains::Tangential),
         ("velocities", |app| app.look.velocities = true),
@@ -71,6 +89,103 @@ fn assembly_in_its_variants() {
         enlarged(&mut app);
         change(&mut app);
         compare(&format!("assembly_{name}"), app, (80, 24));
+    }
+}
+
+#[test]
+fn drawings_that_panes_turn_to() {
+    for (id, pane) in PANES {
+        for face in 1..pane.faces.len() {
+            let mut turned = app(LOOK);
+            turned.zoomed = Some(*id);
+            turned.turned = vec![(*id, face)];
+            compare(
+                &format!("{}_{face}", pane.name.replace(' ', "_")),
+                turned,
+                (80, 24),
+            );
+        }
+    }
+}
+
+/// With both columns in the history: the path of a shear test at constant volume, after an isotropic
+/// stage.
+#[test]
+fn a_recorded_stress_path() {
+    let column = |name| Observable::Column(Column::parse(name).expect("it is in the list"));
+    let mut recorded = frame();
+    recorded.columns = ["isotropic_stress", "sin_phi"].map(column).to_vec().into();
+    for row in &mut recorded.rows {
+        let t = row.cycle as f64 / 14_800.0;
+        let sheared = (t - 0.5).max(0.0);
+        let sine = 0.4 * (1.0 - (-12.0 * sheared).exp());
+        row.values = vec![1e5 * (2.0 * t).min(1.0) + 6e4 * sheared, sine];
+        row.stage = u32::from(t > 0.5);
+    }
+    for size in SIZES {
+        let mut path = empty(LOOK);
+        path.take_frame(Box::new(recorded.clone()));
+        path.zoomed = Some(PaneId::StressPath);
+        compare("stress_path_recorded", path, size);
+    }
+}
+
+#[test]
+fn panes_without_anything_to_draw() {
+    for (id, pane) in PANES {
+        let mut bare = app(LOOK);
+        let nothing = Frame {
+            picture: Picture::default(),
+            survey: survey_of_nothing(),
+            ..bare.frame.as_deref().expect("it has one").clone()
+        };
+        bare.frame = Some(Box::new(nothing));
+        bare.series = Series::default();
+        bare.trail = Trail::default();
+        bare.zoomed = Some(*id);
+        compare(
+            &format!("empty_{}", pane.name.replace(' ', "_")),
+            bare,
+            (80, 24),
+        );
+    }
+}
+
+#[test]
+fn other_panes_in_the_places() {
+    let mut swapped = app(LOOK);
+    drawn(&mut swapped, 80, 24);
+    press(&mut swapped, "p", (80, 24));
+    press(&mut swapped, ":pane histo\n", (80, 24));
+    compare("placed", swapped, (80, 24));
+    let mut swapped = app(LOOK);
+    drawn(&mut swapped, 120, 40);
+    let first = swapped.wants();
+    press(&mut swapped, ":pane mohr\n", (120, 40));
+    // A frame carries what is seen.
+    assert!(!first.survey.has(Part::Tensors) && swapped.wants().survey.has(Part::Tensors));
+    assert!(!swapped.wants().survey.has(Part::Obliquity));
+    press(
+        &mut swapped,
+        "\t\t]p:pane rose\n:pane nonsense\n",
+        (120, 40),
+    );
+    compare("placed", swapped, (120, 40));
+}
+
+/// Presses keys one after the other; the screen is drawn between them.
+fn press(app: &mut App, keys: &str, (width, height): (u16, u16)) {
+    for key in keys.chars() {
+        let code = match key {
+            '\n' => KeyCode::Enter,
+            '\t' => KeyCode::Tab,
+            key => KeyCode::Char(key),
+        };
+        app.key(KeyEvent::new(code, KeyModifiers::NONE));
+        if key == '\n' {
+            app.key(KeyEvent::new(KeyCode::Esc, KeyModifiers::NONE));
+        }
+        drawn(app, width, height);
     }
 }
 

@@ -90,6 +90,10 @@ impl App {
                     Effect::None
                 }
             },
+            (Some("pane"), Some(_), _) => {
+                self.place_by_name(line["pane".len()..].trim());
+                Effect::None
+            }
             _ => Effect::Order(Order::Line(line)),
         }
     }
@@ -174,7 +178,8 @@ impl App {
             Action::Scroll(by) => self.scroll(by),
             Action::Magnify(factor) => self.view.magnify(factor),
             Action::Fit => self.view = View::default(),
-            Action::Chart(by) => self.change_chart(by),
+            Action::Turn(by) => self.turn(by),
+            Action::Place(by) => self.place_next(by),
             Action::Select(by) => self.select(by),
             Action::Contact(by) => return self.follow(by),
             Action::Chains => {
@@ -186,6 +191,7 @@ impl App {
             }
             Action::Discs => self.look.discs = !self.look.discs,
             Action::Velocities => self.look.velocities = !self.look.velocities,
+            Action::Compare => self.look.compared = self.look.compared.next(),
             Action::Points => {
                 self.look.points = match self.look.points {
                     Points::Braille => Points::HalfBlock,
@@ -227,38 +233,9 @@ impl App {
         Effect::None
     }
 
-    /// The pane in focus.
-    pub fn focused(&self) -> Option<PaneId> {
-        self.zoomed
-            .or_else(|| self.arrangement.panes.get(self.focus).map(|(id, _)| *id))
-    }
-
-    fn move_focus(&mut self, by: isize) {
-        let count = self.arrangement.panes.len().max(1) as isize;
-        let zoomed = self.zoomed.is_some();
-        self.focus = (self.focus as isize + by).rem_euclid(count) as usize;
-        if zoomed {
-            self.zoomed = None;
-        }
-    }
-
     fn scroll(&mut self, by: isize) {
         let most = self.dialogue.len();
         self.scrolled = self.scrolled.saturating_add_signed(-by).min(most);
-    }
-
-    /// The chart in focus, or the first one, shows another column.
-    fn change_chart(&mut self, by: isize) {
-        let slot = match self.focused() {
-            Some(PaneId::Chart(slot)) => slot,
-            _ => 0,
-        };
-        let count = self.series.columns.len() as isize;
-        let Some(chart) = self.charts.get_mut(slot).filter(|_| count > 0) else {
-            return;
-        };
-        let at = self.series.position(chart).map_or(0, |at| at as isize + by);
-        *chart = self.series.columns[at.rem_euclid(count) as usize].name();
     }
 
     /// Follows another contact: of the selected disc, or any if none is selected.

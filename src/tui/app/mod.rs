@@ -1,6 +1,7 @@
 //! State of the screen: what it shows, what has the focus, what was typed. Knows no terminal.
 
 mod acting;
+mod places;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -16,6 +17,7 @@ use crate::tui::look::{Look, Points};
 use crate::tui::panes::{self, PaneId};
 use crate::tui::prompt::Prompt;
 use crate::tui::series::Series;
+use crate::tui::trail::Trail;
 use crate::tui::view::View;
 
 /// One line of the dialogue.
@@ -78,6 +80,8 @@ pub struct App {
     pub frame: Option<Box<Frame>>,
     /// Histories.
     pub series: Series,
+    /// Where the stress has been, as far as frames carried it.
+    pub trail: Trail,
     /// Prompt.
     pub prompt: Prompt,
     /// What was said.
@@ -100,6 +104,10 @@ pub struct App {
     pub selected: Option<u32>,
     /// Column name of each chart.
     pub charts: Vec<String>,
+    /// How far panes have been turned to other drawings.
+    pub turned: Vec<(PaneId, usize)>,
+    /// Panes that stand in other places than usual: kind of screen, number of the place, pane.
+    pub placed: Vec<(Class, usize, PaneId)>,
     /// Warnings.
     pub warnings: Vec<Warning>,
     /// Those not acknowledged.
@@ -123,6 +131,7 @@ impl App {
         Self {
             frame: None,
             series: Series::default(),
+            trail: Trail::default(),
             prompt: Prompt::default(),
             dialogue: Vec::new(),
             scrolled: 0,
@@ -136,6 +145,8 @@ impl App {
             charts: ["sin_phi", "isotropic_stress", "coordination", "unbalanced"]
                 .map(str::to_owned)
                 .to_vec(),
+            turned: Vec::new(),
+            placed: Vec::new(),
             warnings: Vec::new(),
             unseen: 0,
             failure: None,
@@ -167,6 +178,7 @@ impl App {
     /// Takes a frame.
     pub fn take_frame(&mut self, mut frame: Box<Frame>) {
         let restarted = frame.restarted;
+        self.trail.take(&frame);
         self.series.take(&mut frame);
         if restarted
             && self
@@ -315,6 +327,7 @@ impl App {
     pub fn draw(&mut self, area: Rect, buffer: &mut Buffer) -> Option<(u16, u16)> {
         let follows = self.frame.as_ref().is_some_and(|f| f.contact.is_some());
         self.arrangement = layout::arrange(area, self.zoomed, follows);
+        self.place();
         let a = self.arrangement.clone();
         if self.zoomed.is_none() {
             self.focus = self.focus.min(a.panes.len().saturating_sub(1));

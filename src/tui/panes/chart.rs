@@ -18,6 +18,7 @@ pub const PANE: Pane = Pane {
     summary: "a column over cycles; [ and ] choose another",
     title,
     draw,
+    ..Pane::PLAIN
 };
 
 /// Drawn dotted into the same chart as its first.

@@ -22,6 +22,7 @@ pub const PANE: Pane = Pane {
         }
     },
     draw,
+    ..Pane::PLAIN
 };
 
 fn styled(app: &App, said: &Said) -> (String, Style) {

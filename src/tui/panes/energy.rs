@@ -16,6 +16,8 @@ pub const PANE: Pane = Pane {
     summary: "energies, losses, work, and what the balance fails to close by",
     title: |_, _| "energy [J]".into(),
     draw,
+    wants: |_, _, wants| wants.energies = true,
+    ..Pane::PLAIN
 };
 
 /// Stored now.

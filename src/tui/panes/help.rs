@@ -15,9 +15,10 @@ use crate::tui::write::{self, Lines};
 const TWO_COLUMNS: u16 = 92;
 
 /// Words that only the screen understands.
-const WORDS: [(&str, &str); 4] = [
+const WORDS: [(&str, &str); 5] = [
     ("load PRESET", "start a preset that is part of the program"),
     ("pace N | max", "cycles per second aimed at"),
+    ("pane NAME", "this pane in the place in focus, as p does"),
     ("set kbps N", "bytes the screen may use, in kB/s"),
     ("q, q!", "quit; q! does not ask"),
 ];
@@ -44,7 +45,10 @@ fn page(app: &App, width: u16) -> Vec<Line> {
     page.extend(table(cards, 10, width));
     heading(&mut page, "WORDS OF THE SCREEN, after `:` as well");
     page.extend(table(WORDS.into_iter(), 13, width));
-    heading(&mut page, "PANES, numbered on the screen; z enlarges one");
+    heading(
+        &mut page,
+        "PANES; p changes what stands in the place in focus, ] turns it to another drawing, z enlarges it",
+    );
     page.extend(table(
         PANES.iter().map(|(_, pane)| (pane.name, pane.summary)),
         14,

@@ -6,8 +6,11 @@ pub mod contact;
 pub mod dialogue;
 pub mod energy;
 pub mod help;
+pub mod histogram;
+pub mod mohr;
 pub mod monitor;
 pub mod numbers;
+pub mod path;
 pub mod presets;
 pub mod rose;
 pub mod status;
@@ -19,6 +22,7 @@ use ratatui::widgets::{Block, Widget};
 use super::app::App;
 use super::look::Role;
 use super::write;
+use crate::session::frames::Wants;
 
 /// Which pane.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -29,10 +33,14 @@ pub enum PaneId {
     Chart(usize),
     /// The contact that is followed.
     Contact,
-    /// Rose of contact normals.
-    Rose,
-    /// The same, weighted by normal force.
-    WeightedRose,
+    /// Rose of contact normals in a slot.
+    Rose(usize),
+    /// How contacts share out over what they carry.
+    Histogram,
+    /// Deviator stress over mean stress.
+    StressPath,
+    /// Circles of Mohr.
+    MohrCircle,
     /// FRACC, stability bound, warnings.
     Monitor,
     /// Values of the columns.
@@ -53,6 +61,22 @@ pub struct Pane {
     pub title: fn(&App, PaneId) -> String,
     /// Draws the inside.
     pub draw: fn(&App, PaneId, Rect, &mut Buffer),
+    /// Adds what it draws to what frames have to carry.
+    pub wants: fn(&App, PaneId, &mut Wants),
+    /// Names of the drawings that it can be turned to; none if there is one only.
+    pub faces: &'static [&'static str],
+}
+
+impl Pane {
+    /// A pane with one drawing of what every frame carries; a row overrides what is different.
+    pub const PLAIN: Self = Self {
+        name: "",
+        summary: "",
+        title: |_, _| String::new(),
+        draw: |_, _, _, _| {},
+        wants: |_, _, _| {},
+        faces: &[],
+    };
 }
 
 /// All panes.
@@ -60,8 +84,10 @@ pub const PANES: &[(PaneId, Pane)] = &[
     (PaneId::Assembly, assembly::PANE),
     (PaneId::Chart(0), chart::PANE),
     (PaneId::Contact, contact::PANE),
-    (PaneId::Rose, rose::PANE),
-    (PaneId::WeightedRose, rose::WEIGHTED),
+    (PaneId::Rose(0), rose::PANE),
+    (PaneId::Histogram, histogram::PANE),
+    (PaneId::StressPath, path::PANE),
+    (PaneId::MohrCircle, mohr::PANE),
     (PaneId::Monitor, monitor::PANE),
     (PaneId::Numbers, numbers::PANE),
     (PaneId::Energy, energy::PANE),
@@ -75,6 +101,22 @@ pub fn row(id: PaneId) -> &'static Pane {
     found
         .map(|(_, pane)| pane)
         .expect("every pane is in the list, a test walks through them")
+}
+
+/// Markdown table of the panes.
+pub fn reference_table() -> String {
+    let mut text = String::from("| pane | what it shows | drawings |\n|---|---|---|\n");
+    for (_, pane) in PANES {
+        let faces = pane.faces.iter().map(|face| match face.split_once("  ") {
+            Some((short, _)) => short,
+            None => face,
+        });
+        let faces: Vec<&str> = faces.collect();
+        let (summary, faces) = (pane.summary, faces.join("; "));
+        let row = format!("| {} | {summary} | {faces} |\n", pane.name);
+        text.push_str(&row.replace("|T|", "\\|T\\|").replace("<N>", "&lt;N&gt;"));
+    }
+    text
 }
 
 /// Draws a pane with its frame.

@@ -20,6 +20,7 @@ pub const PANE: Pane = Pane {
         new => format!("step monitor  {new} new warnings"),
     },
     draw,
+    ..Pane::PLAIN
 };
 
 /// FRACC above this is a warning.

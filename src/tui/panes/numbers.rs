@@ -20,6 +20,7 @@ pub const PANE: Pane = Pane {
         None => "numbers".into(),
     },
     draw,
+    ..Pane::PLAIN
 };
 
 /// Columns that are looked at first, most useful first. What was asked for by name, a wall or a

@@ -5,31 +5,75 @@ use std::f64::consts::{PI, TAU};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::Pane;
+use super::{Pane, PaneId};
 use crate::measure::fabric::Fabric;
 use crate::measure::rose;
+use crate::measure::survey::Part;
 use crate::measure::tensor::Principal;
 use crate::tui::app::App;
 use crate::tui::dots::{Dots, Ink};
 use crate::tui::look::Role;
 use crate::tui::scale::short;
-use crate::tui::write;
+use crate::tui::write::{self, Lines};
 
 /// The pane.
 pub const PANE: Pane = Pane {
     name: "rose",
-    summary: "contact normals in 18 directions; the circle is what equal numbers would give",
-    title: |_, _| "contact normals".into(),
-    draw: |app, _, area, buffer| draw(app, false, area, buffer),
+    summary: "contact normals in 18 directions; the circle is what equal shares would give; ] weights \
+              them by normal or tangential force, or takes sliding contacts only",
+    title: |app, id| FACES[app.face(id)].into(),
+    draw,
+    wants: |_, _, wants| wants.survey = wants.survey.with(Part::Directions),
+    faces: &FACES,
 };
 
-/// The same, weighted.
-pub const WEIGHTED: Pane = Pane {
-    name: "weighted rose",
-    summary: "the same, each contact weighted by its normal force",
-    title: |_, _| "normals x normal force".into(),
-    draw: |app, _, area, buffer| draw(app, true, area, buffer),
-};
+const FACES: [&str; 4] = [
+    "contact normals",
+    "normals x N  weighted by normal force",
+    "normals x |T|  weighted by tangential force",
+    "sliding contacts  their normals",
+];
+
+/// What the contacts of a rose are weighted by: the place in [`FACES`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Weight {
+    One,
+    Normal,
+    Tangential,
+    Sliding,
+}
+
+const WEIGHTS: [Weight; 4] = [
+    Weight::One,
+    Weight::Normal,
+    Weight::Tangential,
+    Weight::Sliding,
+];
+
+impl Weight {
+    /// Heading of the column in the table.
+    fn word(self) -> &'static str {
+        match self {
+            Self::One => "contacts",
+            Self::Normal => "sum N [N]",
+            Self::Tangential => "sum|T| [N]",
+            Self::Sliding => "sliding",
+        }
+    }
+
+    /// Why there is no rose.
+    fn none(self) -> &'static str {
+        match self {
+            Self::One | Self::Normal => "no contacts yet",
+            Self::Tangential => "no contact carries a tangential force",
+            Self::Sliding => "no contact slides in this cycle",
+        }
+    }
+
+    fn is_count(self) -> bool {
+        matches!(self, Self::One | Self::Sliding)
+    }
+}
 
 /// A distribution of directions, ready to be drawn.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,30 +82,37 @@ struct Rose {
     petals: Vec<f64>,
     /// Contacts counted.
     count: f64,
-    /// Difference of the principal values of the mean of n n, 0 to 1.
-    anisotropy: f64,
-    /// Direction of the larger one [degrees].
-    direction: f64,
+    /// Difference of the principal values of the mean of n n, 0 to 1, and direction of the larger one
+    /// [degrees].
+    fabric: Option<(f64, f64)>,
 }
 
 impl Rose {
-    fn of((rose, fabric): &(rose::Rose, Fabric), weighted: bool) -> Self {
-        let (petals, tensor) = if weighted {
-            (&rose.force, &fabric.weighted)
-        } else {
-            (&rose.contacts, &fabric.plain)
+    fn of((rose, fabric): &(rose::Rose, Fabric), weight: Weight) -> Self {
+        let (petals, tensor) = match weight {
+            Weight::One => (&rose.contacts, Some(&fabric.plain)),
+            Weight::Normal => (&rose.force, Some(&fabric.weighted)),
+            Weight::Tangential => (&rose.shear, Some(&fabric.by_tangential)),
+            Weight::Sliding => (&rose.sliding, None),
         };
-        let principal = Principal::of(tensor);
+        let principal = tensor.map(Principal::of);
         Self {
             petals: petals.clone(),
             count: fabric.contacts,
-            anisotropy: principal.major - principal.minor,
-            direction: principal.angle,
+            fabric: principal.map(|principal| (2.0 * principal.radius(), principal.angle)),
         }
     }
 
+    fn is_there(&self) -> bool {
+        self.count > 0.0 && self.sum() > 0.0
+    }
+
+    fn sum(&self) -> f64 {
+        self.petals.iter().sum()
+    }
+
     fn mean(&self) -> f64 {
-        self.petals.iter().sum::<f64>() / self.petals.len() as f64
+        self.sum() / self.petals.len() as f64
     }
 
     /// Width of a petal [rad].
@@ -78,24 +129,18 @@ fn rim(rose: &Rose) -> f64 {
     steps.into_iter().find(|step| most <= *step).unwrap_or(18.0)
 }
 
-fn draw(app: &App, weighted: bool, area: Rect, buffer: &mut Buffer) {
+fn draw(app: &App, id: PaneId, area: Rect, buffer: &mut Buffer) {
+    let weight = WEIGHTS[app.face(id)];
     let Some(frame) = &app.frame else {
         return;
     };
-    let rose = frame
-        .directions
-        .as_ref()
-        .map(|directions| Rose::of(directions, weighted));
-    let Some(rose) = rose.filter(|rose| rose.count > 0.0 && rose.mean() > 0.0) else {
-        write::at(
-            &app.look,
-            (area, buffer),
-            (0, 0),
-            "no contacts",
-            Role::Label,
-        );
+    let Some(directions) = &frame.survey.directions else {
         return;
     };
+    let rose = Rose::of(directions, weight);
+    if !rose.is_there() {
+        return Lines::new(&app.look, area, buffer).text(weight.none(), Role::Label);
+    }
     let table = area.width >= 70 && area.height >= 12;
     let foot = u16::from(area.height >= 4);
     let body = Rect {
@@ -121,18 +166,23 @@ fn draw(app: &App, weighted: bool, area: Rect, buffer: &mut Buffer) {
             width: 30,
             ..area
         };
-        write_table(app, &rose, weighted, place, buffer);
+        write_table(app, &rose, weight, place, buffer);
     }
 }
 
 fn foot_text(rose: &Rose, width: usize) -> String {
-    let short = format!("anisotropy {:.3}", rose.anisotropy);
-    let middle = format!("{short} at {:.0} deg", rose.direction);
+    let Some((anisotropy, direction)) = rose.fabric else {
+        let short = format!("{} slide", rose.sum());
+        let long = format!("{} of {} contacts slide", rose.sum(), rose.count);
+        return if long.len() <= width { long } else { short };
+    };
+    let short = format!("anisotropy {anisotropy:.3}");
+    let middle = format!("{short} at {direction:.0} deg");
     let long = format!("{} contacts, {middle}", rose.count);
     [long, middle, short]
         .into_iter()
         .find(|text| text.len() <= width)
-        .unwrap_or_else(|| format!("{:.3}", rose.anisotropy))
+        .unwrap_or_else(|| format!("{anisotropy:.3}"))
 }
 
 /// Sectors as steps, and the dotted circle of equal numbers.
@@ -165,16 +215,16 @@ fn draw_outline(rose: &Rose, dots: &mut Dots) {
     }
 }
 
-fn write_table(app: &App, rose: &Rose, weighted: bool, area: Rect, buffer: &mut Buffer) {
-    let mut lines = write::Lines::new(&app.look, area, buffer);
-    let what = if weighted { "N" } else { "contacts" };
+fn write_table(app: &App, rose: &Rose, weight: Weight, area: Rect, buffer: &mut Buffer) {
+    let mut lines = Lines::new(&app.look, area, buffer);
+    let what = weight.word();
     lines.line(&format!("degrees   {what:>10}   share"), Role::Label);
-    let total = rose.mean() * rose.petals.len() as f64;
+    let total = rose.sum();
     for (k, value) in rose.petals.iter().enumerate() {
-        let number = if weighted {
-            short(*value)
+        let number = if weight.is_count() {
+            value.to_string()
         } else {
-            format!("{value:.0}")
+            short(*value)
         };
         let share = 100.0 * value / total;
         let middle = k as f64 * rose.width().to_degrees();
@@ -193,6 +243,7 @@ mod tests {
         let mut rose = rose::Rose {
             contacts: vec![0.0; 18],
             force: vec![0.0; 18],
+            shear: vec![0.0; 18],
             sliding: vec![0.0; 18],
         };
         let (mut plain, mut weighted) = (Matrix2::zeros(), Matrix2::zeros());
@@ -219,14 +270,18 @@ mod tests {
 
     #[test]
     fn one_direction_is_wholly_anisotropic_three_are_not() {
-        let one = Rose::of(&directions(&[(3, 1.0), (3, 5.0)]), false);
+        let one = Rose::of(&directions(&[(3, 1.0), (3, 5.0)]), Weight::One);
         // Rounding of sines only.
-        assert!((one.anisotropy - 1.0).abs() < 1e-12 && (one.direction - 30.0).abs() < 1e-9);
+        let (anisotropy, direction) = one.fabric.unwrap();
+        assert!((anisotropy - 1.0).abs() < 1e-12 && (direction - 30.0).abs() < 1e-9);
         assert_eq!((one.petals[3], one.count), (2.0, 2.0));
-        let three = Rose::of(&directions(&[(0, 1.0), (6, 1.0), (12, 1.0)]), true);
-        assert!(three.anisotropy < 1e-12);
-        let heavy = Rose::of(&directions(&[(0, 3.0), (9, 1.0)]), true);
-        assert!((heavy.anisotropy - 0.5).abs() < 1e-12);
+        let three = Rose::of(
+            &directions(&[(0, 1.0), (6, 1.0), (12, 1.0)]),
+            Weight::Normal,
+        );
+        assert!(three.fabric.unwrap().0 < 1e-12);
+        let heavy = Rose::of(&directions(&[(0, 3.0), (9, 1.0)]), Weight::Normal);
+        assert!((heavy.fabric.unwrap().0 - 0.5).abs() < 1e-12);
         assert_eq!((heavy.petals[0], heavy.petals[9]), (3.0, 1.0));
     }
 }

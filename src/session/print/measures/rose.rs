@@ -20,6 +20,7 @@ pub(super) fn lines(place: &Place<'_, '_>) -> Vec<String> {
             number("contacts", ""),
             number("share", ""),
             number("normal force", "N"),
+            number("|tangential|", "N"),
             number("sliding", ""),
         ],
     );
@@ -29,6 +30,7 @@ pub(super) fn lines(place: &Place<'_, '_>) -> Vec<String> {
             figure(rose.contacts[k]),
             per_cent(rose.contacts[k] / total),
             figure(rose.force[k]),
+            figure(rose.shear[k]),
             figure(rose.sliding[k]),
         ]);
     }

@@ -21,6 +21,7 @@ pub const PANE: Pane = Pane {
     summary: "a contact's loops, friction limits, traction and memory; i chooses it, or inspect",
     title,
     draw,
+    ..Pane::PLAIN
 };
 
 /// What is drawn of a contact.

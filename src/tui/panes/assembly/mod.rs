@@ -1,13 +1,16 @@
-//! Discs, walls, contact forces, velocities.
+//! Discs, walls, contact forces, velocities, changes.
+
+mod changes;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{Pane, PaneId};
 use crate::measure::frame::{Disc, Picture, Touch};
+use crate::measure::survey::Part;
 use crate::tui::app::App;
 use crate::tui::dots::{Dots, Ink};
-use crate::tui::look::{Chains, Points, Role};
+use crate::tui::look::{Chains, Compared, Points, Role};
 use crate::tui::scale::{round_down, round_up, short};
 use crate::tui::view::fitted;
 use crate::tui::write;
@@ -16,8 +19,11 @@ use crate::tui::write;
 pub const PANE: Pane = Pane {
     name: "assembly",
     summary: "discs, walls (double lines), driven discs (crossed); bars along contacts are wider the \
-              larger the force",
+              larger the force; c shows what has changed since the reference",
     title: |app, _| {
+        if app.look.compared != Compared::Off {
+            return changes::title(app);
+        }
         let chains = match app.look.chains {
             Chains::Off => "",
             Chains::Force => ", contact forces",
@@ -31,6 +37,12 @@ pub const PANE: Pane = Pane {
         title
     },
     draw,
+    wants: |app, _, wants| {
+        if app.look.compared != Compared::Off {
+            wants.survey = wants.survey.with(Part::Changes);
+        }
+    },
+    ..Pane::PLAIN
 };
 
 /// Columns that the longest stroke of a velocity may cover.
@@ -56,20 +68,33 @@ fn draw(app: &App, _: PaneId, area: Rect, buffer: &mut Buffer) {
         .selected
         .and_then(|id| picture.discs.iter().find(|disc| disc.id == id));
     draw_walls(picture, &map, app.look.points, &mut dots);
-    if app.look.discs {
+    // The space lattice stands for the discs.
+    if app.look.discs && app.look.compared != Compared::Contacts {
         for disc in &picture.discs {
             draw_disc(disc, &map, &mut dots);
         }
     }
-    let mean = mean_force(picture, app.look.chains);
+    let is_compared = app.look.compared != Compared::Off;
+    let against = frame.survey.against.as_ref().filter(|_| is_compared);
+    let mean = if is_compared {
+        0.0
+    } else {
+        mean_force(picture, app.look.chains)
+    };
     draw_bars(picture, app, mean, &map, &mut dots);
-    if app.look.velocities {
+    if let Some(against) = against {
+        changes::draw(picture, against, app.look.compared, &map, &mut dots);
+    }
+    if app.look.velocities && !is_compared {
         draw_velocities(picture, &map, &mut dots);
     }
     if let Some(disc) = selected {
         dots.circle(map.at(disc.at), map.radii(disc.radius), Ink::Selected);
     }
     dots.paint(&app.look, body, buffer);
+    if let (Some(against), Compared::Rotations) = (against, app.look.compared) {
+        changes::write_senses(app, picture, against, &map, (body, &mut *buffer));
+    }
     if let Some(disc) = selected {
         write_number(app, disc, map.at(disc.at), &dots, (body, buffer));
     }
@@ -79,12 +104,13 @@ fn draw(app: &App, _: PaneId, area: Rect, buffer: &mut Buffer) {
             height: 1,
             ..area
         };
-        match selected {
-            Some(disc) => {
+        match (selected, against) {
+            (Some(disc), _) => {
                 let text = about(disc, &picture.touches);
                 write::at(&app.look, (line, buffer), (0, 0), &text, Role::Value);
             }
-            None => write_scale(app, &map, mean, (line, buffer)),
+            (None, Some(against)) => changes::write_legend(app, against, (line, buffer)),
+            (None, None) => write_scale(app, &map, mean, (line, buffer)),
         }
     }
 }

@@ -1,73 +1,10 @@
 //! What each key does: the dispatcher, the help page and the README read the same table.
 
-use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+mod action;
 
-/// What a key does.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Action {
-    /// Run or pause.
-    Toggle,
-    /// One cycle.
-    Cycle,
-    /// Cycles up to the next row.
-    Row,
-    /// Open the prompt.
-    Prompt,
-    /// Open the prompt with a text.
-    PromptWith(&'static str),
-    /// Help.
-    Help,
-    /// Browser of presets.
-    Presets,
-    /// End.
-    Quit,
-    /// Ctrl-C: pause, then ask to quit.
-    Interrupt,
-    /// Focus the next pane or the one before.
-    Focus(isize),
-    /// Focus a pane by number.
-    Pane(usize),
-    /// Enlarge the pane in focus, or back.
-    Zoom,
-    /// Close what is open.
-    Back,
-    /// Move the view.
-    Pan(f64, f64),
-    /// Magnify the view.
-    Magnify(f64),
-    /// Show the whole assembly.
-    Fit,
-    /// Another column in the chart in focus.
-    Chart(isize),
-    /// Another disc selected.
-    Select(isize),
-    /// Another contact followed.
-    Contact(isize),
-    /// Force bars: none, force, tangential.
-    Chains,
-    /// Outlines of discs.
-    Discs,
-    /// Velocities.
-    Velocities,
-    /// Braille, half blocks, ASCII.
-    Points,
-    /// Colour or mono.
-    Theme,
-    /// Frames per second.
-    Fps(bool),
-    /// Cycles per second: halve or double.
-    Pace(bool),
-    /// As fast as possible.
-    Flat,
-    /// Scroll what is in focus by lines.
-    Scroll(isize),
-    /// Warnings have been seen.
-    Acknowledge,
-    /// Repaint everything.
-    Repaint,
-    /// Stop the program, as Ctrl-Z does.
-    Suspend,
-}
+pub use action::Action;
+
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 /// A row of the table.
 #[derive(Debug, Clone, Copy)]
@@ -232,6 +169,21 @@ pub const KEYS: &[Key] = &[
             Action::Zoom,
         ),
     ),
+    hinted(
+        "swap",
+        key(
+            press!(KeyCode::Char('p')),
+            "p",
+            "another pane in the place in focus; `pane NAME` puts one there",
+            Action::Place(1),
+        ),
+    ),
+    key(
+        press!(KeyCode::Char('P')),
+        "P",
+        "the pane before in the list of panes",
+        Action::Place(-1),
+    ),
     key(press!(KeyCode::Esc), "Esc", "back", Action::Back),
     key(
         press!(KeyCode::Char('h'), KeyCode::Left),
@@ -285,14 +237,14 @@ pub const KEYS: &[Key] = &[
     key(
         press!(KeyCode::Char(']')),
         "]",
-        "next column in the chart in focus",
-        Action::Chart(1),
+        "next drawing of the pane in focus: column of a chart, weights of a rose ...",
+        Action::Turn(1),
     ),
     key(
         press!(KeyCode::Char('[')),
         "[",
-        "column before",
-        Action::Chart(-1),
+        "drawing before",
+        Action::Turn(-1),
     ),
     key(
         press!(KeyCode::Char('n')),
@@ -335,6 +287,12 @@ pub const KEYS: &[Key] = &[
         "v",
         "velocities",
         Action::Velocities,
+    ),
+    key(
+        press!(KeyCode::Char('c')),
+        "c",
+        "changes since the `reference`: contacts, rotations, displacements, none",
+        Action::Compare,
     ),
     key(
         press!(KeyCode::Char('m')),

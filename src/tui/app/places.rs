@@ -1,0 +1,156 @@
+//! Which pane stands where, and which of its drawings it shows.
+
+use super::{App, Said};
+use crate::measure::columns::nearest;
+use crate::session::frames::Wants;
+use crate::tui::panes::{self, PANES, PaneId};
+
+impl App {
+    /// The pane in focus.
+    pub fn focused(&self) -> Option<PaneId> {
+        self.zoomed
+            .or_else(|| self.arrangement.panes.get(self.focus).map(|(id, _)| *id))
+    }
+
+    pub(super) fn move_focus(&mut self, by: isize) {
+        let count = self.arrangement.panes.len().max(1) as isize;
+        let zoomed = self.zoomed.is_some();
+        self.focus = (self.focus as isize + by).rem_euclid(count) as usize;
+        if zoomed {
+            self.zoomed = None;
+        }
+    }
+
+    /// What the panes on the screen need of a frame. The picture is always needed: keys choose discs
+    /// and contacts out of it.
+    pub fn wants(&self) -> Wants {
+        let mut wants = Wants {
+            energies: false,
+            ..Wants::default()
+        };
+        for (id, _) in &self.arrangement.panes {
+            (panes::row(*id).wants)(self, *id, &mut wants);
+        }
+        wants
+    }
+
+    /// Which of its drawings a pane shows.
+    pub fn face(&self, id: PaneId) -> usize {
+        let count = panes::row(id).faces.len().max(1);
+        // Roses beside each other show different weights.
+        let first = match id {
+            PaneId::Rose(slot) => slot,
+            _ => 0,
+        };
+        let turned = self.turned.iter().find(|(known, _)| *known == id);
+        (first + turned.map_or(0, |(_, by)| *by)) % count
+    }
+
+    /// The pane in focus shows another of its drawings, a chart another column; where there is no
+    /// choice, the first chart does.
+    pub(super) fn turn(&mut self, by: isize) {
+        let focused = self.focused();
+        let faces = focused.map_or(0, |id| panes::row(id).faces.len());
+        if let (Some(id), 1..) = (focused, faces) {
+            let next = by.rem_euclid(faces as isize) as usize;
+            match self.turned.iter_mut().find(|(known, _)| *known == id) {
+                Some((_, turned)) => *turned = (*turned + next) % faces,
+                None => self.turned.push((id, next)),
+            }
+            return;
+        }
+        let slot = match focused {
+            Some(PaneId::Chart(slot)) => slot,
+            _ => 0,
+        };
+        let count = self.series.columns.len() as isize;
+        let Some(chart) = self.charts.get_mut(slot).filter(|_| count > 0) else {
+            return;
+        };
+        let at = self.series.position(chart).map_or(0, |at| at as isize + by);
+        *chart = self.series.columns[at.rem_euclid(count) as usize].name();
+    }
+
+    /// Puts panes where they were sent.
+    pub(super) fn place(&mut self) {
+        if self.zoomed.is_some() {
+            return;
+        }
+        let a = &mut self.arrangement;
+        for (class, number, id) in &self.placed {
+            if let Some(place) = a.panes.get_mut(*number).filter(|_| *class == a.class) {
+                place.0 = *id;
+            }
+        }
+    }
+
+    /// The next pane of the list in the place in focus; the assembly keeps its own.
+    pub(super) fn place_next(&mut self, by: isize) {
+        let others: Vec<PaneId> = PANES
+            .iter()
+            .map(|(id, _)| *id)
+            .filter(|id| *id != PaneId::Assembly)
+            .collect();
+        let number = self.place_number();
+        let now = self
+            .zoomed
+            .or_else(|| self.arrangement.panes.get(number).map(|(id, _)| *id));
+        let kind = |id: &PaneId| std::mem::discriminant(id);
+        let at = others
+            .iter()
+            .position(|id| now.as_ref().is_some_and(|now| kind(now) == kind(id)));
+        let next = at.map_or(0, |at| {
+            (at as isize + by).rem_euclid(others.len() as isize) as usize
+        });
+        self.put(number, others[next]);
+    }
+
+    /// A pane by its name or the beginning of it, in the place in focus.
+    pub(super) fn place_by_name(&mut self, name: &str) {
+        let found: Vec<PaneId> = PANES
+            .iter()
+            .filter(|(id, pane)| *id != PaneId::Assembly && pane.name.starts_with(name))
+            .map(|(id, _)| *id)
+            .collect();
+        if let [id] = found[..] {
+            let number = self.place_number();
+            return self.put(number, id);
+        }
+        let names = PANES.iter().map(|(_, pane)| pane.name).skip(1);
+        let near = nearest(name, names);
+        self.say(Said::Error(format!("`{name}` is no pane; {near}")));
+    }
+
+    /// The place that takes another pane: the one in focus, but that of the assembly.
+    fn place_number(&self) -> usize {
+        let is_assembly = self.focused() == Some(PaneId::Assembly);
+        if is_assembly && self.focus == 0 {
+            1
+        } else {
+            self.focus
+        }
+    }
+
+    fn put(&mut self, number: usize, id: PaneId) {
+        let class = self.arrangement.class;
+        // Of charts and roses there are several: one that is not on the screen.
+        let shown = |id: PaneId| {
+            let panes = self.arrangement.panes.iter().enumerate();
+            let mut others = panes.filter(|(place, _)| *place != number);
+            others.any(|(_, (known, _))| *known == id)
+        };
+        let of_several = |all: &[PaneId]| all.iter().copied().find(|id| !shown(*id));
+        let id = match id {
+            PaneId::Chart(_) => of_several(&[0, 1, 2, 3].map(PaneId::Chart)).unwrap_or(id),
+            PaneId::Rose(_) => of_several(&[0, 1].map(PaneId::Rose)).unwrap_or(id),
+            _ => id,
+        };
+        self.placed
+            .retain(|(kind, place, _)| (*kind, *place) != (class, number));
+        self.placed.push((class, number, id));
+        self.focus = number;
+        if self.zoomed.is_some() {
+            self.zoomed = Some(id);
+        }
+    }
+}
