@@ -1,8 +1,6 @@
 //! Overlaps at the start. Particles of like size share a grid whose boxes are as wide as they are,
 //! so that a hundred thousand of any mixture of sizes take a fraction of a second.
 
-use std::collections::HashMap;
-
 use super::draft::Draft;
 use super::problem::Problem;
 use crate::engine::setup::WallSetup;
@@ -23,7 +21,7 @@ pub(crate) fn check(draft: &Draft<'_>) {
     check_walls(draft, sound);
 }
 
-/// Size class, and box within the grid of that class.
+/// Size class, and row and column of the box within the grid of that class.
 type Cell = (i32, i64, i64);
 
 /// Sizes within a factor of two share a class; its boxes are as wide as its widest particle.
@@ -35,28 +33,27 @@ fn cell(class: i32, at: [f64; 2]) -> Cell {
     // 2 R < 2 * 2^(class + 1). Saturates far outside of any position that is accepted.
     let width = libm::ldexp(1.0, class + 2);
     let index = |x: f64| (x / width).floor() as i64;
-    (class, index(at[0]), index(at[1]))
+    (class, index(at[1]), index(at[0]))
 }
 
 fn check_pairs(draft: &Draft<'_>, sound: &[usize]) {
     let particles = &draft.setup.particles;
-    let mut boxes: HashMap<Cell, Vec<usize>> = HashMap::new();
-    let mut classes: Vec<i32> = Vec::new();
-    for &i in sound {
-        let own = class(particles[i].radius);
-        if !classes.contains(&own) {
-            classes.push(own);
-        }
-        boxes.entry(cell(own, particles[i].at)).or_default().push(i);
-    }
-    for &i in sound {
-        let own = class(particles[i].radius);
+    let own = |&i: &usize| (cell(class(particles[i].radius), particles[i].at), i);
+    // In the order of the boxes: those of a row follow each other, whatever order they came in.
+    let mut boxes: Vec<(Cell, usize)> = sound.iter().map(own).collect();
+    boxes.sort_unstable();
+    let mut classes: Vec<i32> = boxes.iter().map(|((class, ..), _)| *class).collect();
+    classes.dedup();
+    for &((own, ..), i) in &boxes {
         // A pair is found from its smaller particle, whose neighbours of a class are few.
         for &other in classes.iter().filter(|&&other| other >= own) {
-            let (_, x, y) = cell(other, particles[i].at);
-            for (dx, dy) in (-1..=1).flat_map(|dx| (-1..=1).map(move |dy| (dx, dy))) {
-                let around = (other, x.saturating_add(dx), y.saturating_add(dy));
-                for &j in boxes.get(&around).into_iter().flatten() {
+            let (_, y, x) = cell(other, particles[i].at);
+            for row in [-1, 0, 1].map(|dy| y.saturating_add(dy)) {
+                let first = (other, row, x.saturating_sub(1));
+                let last = (other, row, x.saturating_add(1));
+                let start = boxes.partition_point(|(cell, _)| *cell < first);
+                let near = boxes[start..].iter().take_while(|(cell, _)| *cell <= last);
+                for &(_, j) in near {
                     if (other > own || j > i) && !check_pair(draft, i.min(j), i.max(j)) {
                         return;
                     }

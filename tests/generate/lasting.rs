@@ -26,7 +26,7 @@ fn the_bits_are_those_of_the_first_version() {
     let scene = scene(TABLES);
     assert_eq!(
         (scene.setup.particles.len(), bits(&scene)),
-        (465, 14_465_016_398_642_818_897)
+        (480, 2_243_170_879_234_373_538)
     );
 }
 

@@ -3,9 +3,6 @@
 //! without room are put aside until smaller discs come. So what is drawn stays uniform over the
 //! places that are left, and when no box is left there is certainly no room.
 
-use std::cmp::Ordering;
-use std::collections::BinaryHeap;
-
 use super::chance::Chance;
 
 /// A square.
@@ -17,59 +14,55 @@ pub(super) struct Square {
     pub(super) index: [u32; 2],
 }
 
-/// A square without room for discs larger than this.
-struct Asleep {
-    room: f64,
-    square: Square,
-}
-
 /// The squares.
 pub(super) struct Boxes {
     min: [f64; 2],
-    width: f64,
+    /// Width [m] and area [m²] of a square of each level.
+    size: Vec<[f64; 2]>,
     /// Squares to draw from, by level.
     awake: Vec<Vec<[u32; 2]>>,
-    /// The others, those with most room first.
-    asleep: BinaryHeap<Asleep>,
+    /// The radii that are placed, largest first [m].
+    radii: Vec<f64>,
+    /// Squares without room for larger discs than the radius of this place.
+    asleep: Vec<Vec<Square>>,
 }
 
 /// Halvings after which a square counts as too small to hold a place: 1e-7 of the first width.
 const DEEPEST: u8 = 24;
 
 impl Boxes {
-    /// Covers a rectangle with squares of about this width.
-    pub(super) fn cover([min, max]: [[f64; 2]; 2], width: f64) -> Self {
+    /// Covers a rectangle with squares for discs of these radii, largest first.
+    pub(super) fn cover([min, max]: [[f64; 2]; 2], radii: Vec<f64>) -> Self {
+        // The width of which the fewest attempts are in vain.
+        let width = 2.0 * radii.first().copied().unwrap_or_default();
         let side = [max[0] - min[0], max[1] - min[1]];
         // Wider where there would be more than 2^24 of them.
         let width = width.max((side[0] * side[1] / f64::from(1 << 24)).sqrt());
         let width = width.max(side[0].max(side[1]) / f64::from(1 << 24));
         let [nx, ny] = side.map(|side| ((side / width).ceil() as u32).max(1));
         let rows = (0..ny).flat_map(|y| (0..nx).map(move |x| [x, y]));
-        let mut awake = vec![Vec::new(); usize::from(DEEPEST) + 1];
-        awake[0] = rows.collect();
+        let halved = (0..=DEEPEST).map(|level| width / (1u64 << level) as f64);
         Self {
             min,
-            width,
-            awake,
-            asleep: BinaryHeap::new(),
+            size: halved.map(|width| [width, width * width]).collect(),
+            awake: vec![rows.collect()],
+            asleep: vec![Vec::new(); radii.len()],
+            radii,
         }
     }
 
     /// Total area of the squares to draw from [m²].
     pub(super) fn area(&self) -> f64 {
-        let area = |(level, squares): (usize, &Vec<_>)| {
-            let width = self.width_at(level as u8);
-            squares.len() as f64 * width * width
-        };
-        self.awake.iter().enumerate().map(area).sum()
+        let levels = self.awake.iter().zip(&self.size);
+        levels
+            .map(|(squares, [_, area])| squares.len() as f64 * area)
+            .sum()
     }
 
-    /// Wakes the squares with room for discs of this radius.
-    pub(super) fn wake(&mut self, radius: f64) {
-        while self.asleep.peek().is_some_and(|top| top.room >= radius) {
-            if let Some(Asleep { square, .. }) = self.asleep.pop() {
-                self.put(square);
-            }
+    /// Wakes the squares with room for discs of the radius of this place.
+    pub(super) fn wake(&mut self, place: usize) {
+        for square in std::mem::take(&mut self.asleep[place]) {
+            self.put(square);
         }
     }
 
@@ -82,8 +75,7 @@ impl Boxes {
                 continue;
             }
             last = Some(level);
-            let width = self.width_at(level as u8);
-            let here = squares.len() as f64 * width * width;
+            let here = squares.len() as f64 * self.size[level][1];
             if left < here {
                 break;
             }
@@ -98,12 +90,19 @@ impl Boxes {
 
     /// Puts a square among those to draw from.
     pub(super) fn put(&mut self, square: Square) {
-        self.awake[usize::from(square.level)].push(square.index);
+        let level = usize::from(square.level);
+        if level >= self.awake.len() {
+            self.awake.resize(level + 1, Vec::new());
+        }
+        self.awake[level].push(square.index);
     }
 
-    /// Puts a square aside until discs come that are no larger than its room.
+    /// Puts a square aside until discs come that are no larger than its room, if ever.
     pub(super) fn put_aside(&mut self, square: Square, room: f64) {
-        self.asleep.push(Asleep { room, square });
+        let place = self.radii.partition_point(|&radius| radius > room);
+        if let Some(asleep) = self.asleep.get_mut(place) {
+            asleep.push(square);
+        }
     }
 
     /// The four parts of a square; none if it is too small.
@@ -121,40 +120,12 @@ impl Boxes {
 
     /// A point of a square, by its place within it from 0 to 1 [m].
     pub(super) fn point(&self, square: Square, within: [f64; 2]) -> [f64; 2] {
-        let width = self.width_at(square.level);
+        let [width, _] = self.size[usize::from(square.level)];
         [0, 1].map(|k| self.min[k] + (f64::from(square.index[k]) + within[k]) * width)
     }
 
     /// Half the diagonal of squares of a level [m].
     pub(super) fn half_diagonal(&self, level: u8) -> f64 {
-        self.width_at(level) * std::f64::consts::FRAC_1_SQRT_2
-    }
-
-    fn width_at(&self, level: u8) -> f64 {
-        // Exact: a power of two.
-        self.width / (1u64 << level) as f64
+        self.size[usize::from(level)][0] * std::f64::consts::FRAC_1_SQRT_2
     }
 }
-
-impl Ord for Asleep {
-    fn cmp(&self, other: &Self) -> Ordering {
-        // Equal rooms in a fixed order, so that the heap is the same everywhere.
-        let key = |asleep: &Self| (asleep.square.level, asleep.square.index);
-        let room = self.room.total_cmp(&other.room);
-        room.then_with(|| key(self).cmp(&key(other)))
-    }
-}
-
-impl PartialOrd for Asleep {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl PartialEq for Asleep {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Asleep {}

@@ -22,7 +22,6 @@ pub(super) struct Crowd<'a> {
     gap: f64,
     /// Sides of a periodic cell, in which the border of the region is none [m].
     cell: Option<[f64; 2]>,
-    discs: Vec<Linked>,
     grids: Vec<Grid>,
     /// Largest radius that is asked about [m].
     largest: f64,
@@ -38,7 +37,8 @@ struct Linked {
 /// No disc.
 const NONE: u32 = u32::MAX;
 
-/// Discs of one class of sizes by box.
+/// Discs of one class of sizes by box. Most are sorted by box, so that those of neighbouring boxes
+/// are neighbours in memory; the newest are linked until it pays to sort them in.
 struct Grid {
     class: i32,
     /// Largest radius in it [m].
@@ -46,7 +46,13 @@ struct Grid {
     min: [f64; 2],
     width: f64,
     count: [usize; 2],
-    /// The first disc of each box.
+    /// Discs in the order of their boxes.
+    sorted: Vec<Disc>,
+    /// Of each box, the first of its sorted discs; then their number.
+    start: Vec<u32>,
+    /// Discs that came since they were sorted.
+    newest: Vec<Linked>,
+    /// The last of the newest of each box.
     first: Vec<u32>,
 }
 
@@ -73,7 +79,6 @@ impl<'a> Crowd<'a> {
             walls: walls.iter().filter(near).collect(),
             gap,
             cell: periodic.then_some([max[0] - min[0], max[1] - min[1]]),
-            discs: Vec::new(),
             grids: Vec::new(),
             largest,
         }
@@ -106,6 +111,9 @@ impl<'a> Crowd<'a> {
                         width: 0.0,
                         // Until the boxes are laid: how many discs are expected.
                         count: [0, 0],
+                        sorted: Vec::new(),
+                        start: Vec::new(),
+                        newest: Vec::new(),
                         first: Vec::new(),
                     });
                     self.grids.last_mut().expect("it was just put there")
@@ -131,7 +139,9 @@ impl<'a> Crowd<'a> {
             }
             grid.min = min.map(|x| x - margin);
             grid.count = side.map(|side| (side / grid.width) as usize + 1);
-            grid.first = vec![NONE; grid.count[0] * grid.count[1]];
+            let boxes = grid.count[0] * grid.count[1];
+            grid.first = vec![NONE; boxes];
+            grid.start = vec![0; boxes + 1];
         }
     }
 
@@ -156,35 +166,54 @@ impl<'a> Crowd<'a> {
         let own = class(disc.radius);
         let grid = self.grids.iter_mut().find(|grid| grid.class == own);
         let grid = grid.expect("every size is expected before it is added");
-        let [x, y] = [0, 1].map(|k| grid.index(disc.at[k], k));
-        let first = &mut grid.first[y * grid.count[0] + x];
-        self.discs.push(Linked { disc, next: *first });
-        *first = self.discs.len() as u32 - 1;
+        grid.add(disc);
     }
 
-    /// Collects the discs whose surface is nearer to a point than `reach`, the gap included.
-    pub(super) fn gather(&self, at: [f64; 2], reach: f64, near: &mut Vec<Disc>) {
+    /// Collects the discs whose surface is nearer to a point than `reach`, the gap left out. Stops at
+    /// the first that is nearer than `enough` and answers how near that is.
+    pub(super) fn gather(
+        &self,
+        at: [f64; 2],
+        reach: f64,
+        enough: f64,
+        near: &mut Vec<Disc>,
+    ) -> Option<f64> {
         near.clear();
-        let reach = reach + self.gap;
+        let (reach, enough) = (reach + self.gap, enough + self.gap);
         for grid in &self.grids {
             let around = reach + grid.largest;
             let [from, to] = [-around, around].map(|d| [0, 1].map(|k| grid.index(at[k] + d, k)));
+            let mut take = |disc: &Disc| {
+                let d = [disc.at[0] - at[0], disc.at[1] - at[1]];
+                let (square, apart) = (d[0] * d[0] + d[1] * d[1], reach + disc.radius);
+                if square >= apart * apart {
+                    return None;
+                }
+                near.push(*disc);
+                let apart = enough + disc.radius;
+                (apart > 0.0 && square < apart * apart)
+                    .then(|| square.sqrt() - disc.radius - self.gap)
+            };
             for y in from[1]..=to[1] {
                 let row = y * grid.count[0];
-                for &first in &grid.first[row + from[0]..=row + to[0]] {
+                let (left, right) = (row + from[0], row + to[0]);
+                let sorted = grid.start[left] as usize..grid.start[right + 1] as usize;
+                if let Some(nearest) = grid.sorted[sorted].iter().find_map(&mut take) {
+                    return Some(nearest);
+                }
+                for &first in &grid.first[left..=right] {
                     let mut k = first;
                     while k != NONE {
-                        let Linked { disc, next } = self.discs[k as usize];
-                        let d = [disc.at[0] - at[0], disc.at[1] - at[1]];
-                        let apart = reach + disc.radius;
-                        if d[0] * d[0] + d[1] * d[1] < apart * apart {
-                            near.push(disc);
+                        let Linked { disc, next } = &grid.newest[k as usize];
+                        if let Some(nearest) = take(disc) {
+                            return Some(nearest);
                         }
-                        k = next;
+                        k = *next;
                     }
                 }
             }
         }
+        None
     }
 
     /// Largest radius that a disc at this point may have, given the discs near it [m]; never more
@@ -211,6 +240,48 @@ impl<'a> Crowd<'a> {
 }
 
 impl Grid {
+    fn add(&mut self, disc: Disc) {
+        let own = self.place(&disc);
+        self.newest.push(Linked {
+            disc,
+            next: self.first[own],
+        });
+        self.first[own] = self.newest.len() as u32 - 1;
+        // Each disc is sorted a few times in all.
+        if self.newest.len() > 1024 + self.sorted.len() / 4 {
+            self.sort();
+        }
+    }
+
+    /// Sorts the newest in by counting.
+    fn sort(&mut self) {
+        let mut all = std::mem::take(&mut self.sorted);
+        all.extend(self.newest.drain(..).map(|linked| linked.disc));
+        self.first.fill(NONE);
+        self.start.fill(0);
+        for disc in &all {
+            let own = self.place(disc);
+            self.start[own + 1] += 1;
+        }
+        let mut before = 0;
+        for start in &mut self.start {
+            before += *start;
+            *start = before;
+        }
+        let mut next = self.start.clone();
+        self.sorted = all.clone();
+        for disc in all {
+            let own = self.place(&disc);
+            self.sorted[next[own] as usize] = disc;
+            next[own] += 1;
+        }
+    }
+
+    /// Number of the box of a disc.
+    fn place(&self, disc: &Disc) -> usize {
+        self.index(disc.at[1], 1) * self.count[0] + self.index(disc.at[0], 0)
+    }
+
     /// Number of the box along an axis, clipped to the grid.
     fn index(&self, x: f64, k: usize) -> usize {
         // A negative number becomes 0.

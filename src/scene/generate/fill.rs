@@ -47,7 +47,7 @@ pub(super) fn fill(task: &Task<'_>, chance: &mut Chance) -> (Vec<Disc>, Vec<usiz
     };
     let mut filler = Filler::new(task, largest);
     for (k, size) in task.sizes.iter().enumerate() {
-        filler.boxes.wake(size.radius);
+        filler.boxes.wake(k);
         while counts[k] < size.count {
             let Some(disc) = filler.place(size.radius, chance) else {
                 break;
@@ -64,7 +64,6 @@ struct Filler<'a> {
     crowd: Crowd<'a>,
     boxes: Boxes,
     area: f64,
-    smallest: f64,
     near: Vec<Disc>,
 }
 
@@ -78,6 +77,7 @@ impl<'a> Filler<'a> {
             .filter(|disc| task.periodic || crowd.matters(*disc))
             .collect();
         let area = task.region.area();
+        let radii = task.sizes.iter().map(|size| size.radius);
         crowd.expect(there.iter().map(|disc| (disc.radius, 1)));
         crowd.expect(task.sizes.iter().map(|size| {
             let most = (area / (CLOSEST * size.radius * size.radius)) as usize;
@@ -90,9 +90,8 @@ impl<'a> Filler<'a> {
         Self {
             task,
             crowd,
-            boxes: Boxes::cover(task.region.bounds(), 2.0 * largest),
+            boxes: Boxes::cover(task.region.bounds(), radii.collect()),
             area,
-            smallest: task.sizes.last().map_or(0.0, |size| size.radius),
             near: Vec::new(),
         }
     }
@@ -110,10 +109,17 @@ impl<'a> Filler<'a> {
             }
             let square = self.boxes.draw(chance)?;
             let within = [chance.fraction(), chance.fraction()];
-            let at = self.boxes.point(square, within);
-            // Enough for every point of the square.
             let half = self.boxes.half_diagonal(square.level);
-            self.gather(square, radius + half);
+            let centre = self.boxes.centre(square);
+            // Enough for every point of the square; or one disc that leaves none of them free.
+            let (reach, enough) = (radius + half, radius - half);
+            let nearest = self.crowd.gather(centre, reach, enough, &mut self.near);
+            if let Some(nearest) = nearest {
+                self.boxes.put_aside(square, nearest + half);
+                failed += 1;
+                continue;
+            }
+            let at = self.boxes.point(square, within);
             let fits = self.task.region.depth(at) >= 0.0
                 && self.crowd.room(at, &self.near, radius) >= radius;
             let disc = Disc { at, radius };
@@ -127,11 +133,6 @@ impl<'a> Filler<'a> {
             }
             failed += 1;
         }
-    }
-
-    fn gather(&mut self, square: Square, reach: f64) {
-        let centre = self.boxes.centre(square);
-        self.crowd.gather(centre, reach, &mut self.near);
     }
 
     /// Cuts a square whose surroundings are gathered, and sorts its parts.
@@ -148,7 +149,7 @@ impl<'a> Filler<'a> {
             let room = self.crowd.room(centre, &self.near, radius) + half;
             if room >= radius {
                 self.boxes.put(part);
-            } else if room >= self.smallest {
+            } else {
                 self.boxes.put_aside(part, room);
             }
         }
