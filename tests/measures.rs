@@ -20,6 +20,8 @@ mod polygons;
 mod profiles;
 #[path = "measures/regions.rs"]
 mod regions;
+#[path = "measures/sliding.rs"]
+mod sliding;
 #[path = "measures/surveys.rs"]
 mod surveys;
 #[path = "measures/waves.rs"]

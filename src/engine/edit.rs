@@ -306,6 +306,13 @@ impl World {
         });
     }
 
+    /// Counts the sliding ways of all contacts from zero again; no energy changes.
+    pub fn forget_slid(&mut self) {
+        if let Some(pass) = &mut self.pass {
+            pass.forget_slid();
+        }
+    }
+
     /// Changes the radius of particle p [m], and its mass with it; overlaps that this makes are work
     /// of the command.
     pub fn set_radius(&mut self, p: usize, radius: f64) {

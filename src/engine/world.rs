@@ -54,7 +54,7 @@ pub struct World {
     /// Memory of the contacts, filled only in a checkpoint.
     memory: Vec<u8>,
     #[serde(skip)]
-    pass: Option<Box<dyn ContactPass>>,
+    pub(super) pass: Option<Box<dyn ContactPass>>,
     #[serde(skip)]
     pub(super) threads: Threads,
 }

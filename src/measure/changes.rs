@@ -21,6 +21,16 @@ pub struct Changes {
     pub rotation: f64,
     /// Largest size of it [rad].
     pub rotation_max: f64,
+    /// Mean sliding way of the touching contacts [m]; NaN when it is not booked.
+    pub slid: f64,
+    /// Longest sliding way of a touching contact [m]; NaN when it is not booked.
+    pub slid_max: f64,
+}
+
+/// Tangential way of listed contact k while it slid as a whole, since the reference, or since it
+/// touched if that was later [m]; `None` when energies, and ways with them, are not booked.
+pub fn slid(world: &World, k: usize) -> Option<f64> {
+    world.ledger().map(|_| world.pass().book(k).slid)
 }
 
 impl Changes {
@@ -28,8 +38,15 @@ impl Changes {
     /// counts for the one that is left.
     pub fn of(world: &World, inside: &[bool], reference: &Reference) -> Self {
         let (mut made, mut kept) = (0.0, 0.0);
+        let (mut way, mut longest) = (0.0, 0f64);
         for link in Link::all(world).filter(Link::is_touching) {
             let weight = link.weight(inside);
+            let slid = slid(world, link.place).unwrap_or(f64::NAN);
+            if weight > 0.0 {
+                way += weight * slid;
+                // NaN stays.
+                longest = if slid <= longest { longest } else { slid };
+            }
             if reference.touched(world, &link) {
                 kept += weight;
             } else {
@@ -60,6 +77,8 @@ impl Changes {
             kept,
             rotation: ratio(sum, count),
             rotation_max,
+            slid: ratio(way, made + kept),
+            slid_max: longest,
         }
     }
 

@@ -1,11 +1,11 @@
 //! What can be drawn of a region besides the assembly itself, taken at one cycle boundary: as much
 //! of it as is wanted. Complete in itself, like the picture: whoever draws it needs no world.
 
-use super::changes::{Bond, Changes, lattice};
+use super::changes::{Bond, Changes, lattice, slid};
 use super::contact_area::normal_stresses;
 use super::fabric::Fabric;
 use super::histogram::Histogram;
-use super::link::normal_forces;
+use super::link::{Link, normal_forces};
 use super::obliquity::Obliquity;
 use super::profile::{Profile, RINGS};
 use super::reference::Reference;
@@ -13,6 +13,7 @@ use super::rose::Rose;
 use super::sample::Sample;
 use super::strain::Strain;
 use super::stress::Stress;
+use crate::engine::World;
 
 /// Bars of the histograms that begin at zero.
 const BARS: usize = 16;
@@ -78,6 +79,17 @@ pub struct Displaced {
     pub rotation: f64,
 }
 
+/// How far a touching contact has slid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Slid {
+    /// Where it is [m].
+    pub at: [f64; 2],
+    /// Unit tangent.
+    pub along: [f64; 2],
+    /// Way while it slid as a whole, since the reference or first touch [m].
+    pub way: f64,
+}
+
 /// The whole assembly against the reference.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Against {
@@ -89,6 +101,8 @@ pub struct Against {
     pub lattice: Vec<(Bond, [[f64; 2]; 2])>,
     /// Displacements and rotations of all particles that were there at the reference.
     pub displaced: Vec<Displaced>,
+    /// Contacts that have slid; `None` when ways are not booked.
+    pub slid: Option<Vec<Slid>>,
 }
 
 /// The measures of the default region that were wanted.
@@ -145,5 +159,20 @@ fn against(sample: &Sample<'_>, reference: &Reference, changes: Changes) -> Agai
         changes,
         lattice: lattice(world, reference),
         displaced: moved.collect(),
+        slid: world.ledger().map(|_| slid_contacts(world)),
     }
+}
+
+fn slid_contacts(world: &World) -> Vec<Slid> {
+    let touching = Link::all(world).filter(Link::is_touching);
+    let found = touching.filter_map(|link| {
+        let way = slid(world, link.place).filter(|way| *way > 0.0)?;
+        let from = world.position(link.first);
+        Some(Slid {
+            at: [0, 1].map(|k| from[k] + link.arms[0] * link.e[k]),
+            along: link.t.into(),
+            way,
+        })
+    });
+    found.collect()
 }

@@ -162,6 +162,7 @@ impl Session {
             Command::History(change) => self.change_history(change),
             Command::Reference => {
                 self.reference = Reference::of(&self.world);
+                self.world.forget_slid();
                 Ok(Reply::line(format!(
                     "differences from cycle {}",
                     self.reference.cycle

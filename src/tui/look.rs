@@ -45,6 +45,8 @@ pub enum Compared {
     Rotations,
     /// Displacements of discs.
     Displacements,
+    /// Ways that contacts have slid.
+    Sliding,
 }
 
 impl Compared {
@@ -55,7 +57,8 @@ impl Compared {
             Self::Off => Self::Contacts,
             Self::Contacts => Self::Rotations,
             Self::Rotations => Self::Displacements,
-            Self::Displacements => Self::Off,
+            Self::Displacements => Self::Sliding,
+            Self::Sliding => Self::Off,
         }
     }
 }

@@ -108,6 +108,9 @@ fn spoil_survey(survey: &mut Survey, odd: f64) {
     }
     if let Some(against) = &mut survey.against {
         against.lattice[0].1 = [[odd; 2]; 2];
+        if let Some(slid) = &mut against.slid {
+            (slid[0].at, slid[1].along, slid[2].way) = ([odd; 2], [odd; 2], odd);
+        }
         (against.displaced[1].u, against.displaced[2].rotation) = ([odd; 2], odd);
     }
     if let Some(obliquity) = &mut survey.obliquity {
@@ -152,7 +155,8 @@ fn look() -> impl Strategy<Value = Look> {
         Just(Compared::Off),
         Just(Compared::Contacts),
         Just(Compared::Rotations),
-        Just(Compared::Displacements)
+        Just(Compared::Displacements),
+        Just(Compared::Sliding)
     ];
     (points, chains, any::<[bool; 3]>(), compared).prop_map(
         |(points, chains, [mono, discs, velocities], compared)| Look {

@@ -18,7 +18,7 @@ use ballast::measure::obliquity::Obliquity;
 use ballast::measure::rose::{PETALS, Rose};
 use ballast::measure::strain::Strain;
 use ballast::measure::stress::Stress;
-use ballast::measure::survey::{Against, Displaced, Survey, Tensors};
+use ballast::measure::survey::{Against, Displaced, Slid, Survey, Tensors};
 use ballast::session::frames::{ChartRow, Frame};
 use ballast::session::inspect::{Inspection, Moment};
 use ballast::tui::app::{App, Said};
@@ -143,6 +143,12 @@ fn against(picture: &Picture) -> Against {
             rotation: 0.02 * (k - 3.0),
         }
     });
+    let slid = picture.touches.iter().filter(|touch| touch.t > 0.0);
+    let slid = slid.zip(1_u32..).map(|(touch, k)| Slid {
+        at: [0, 1].map(|axis| 0.5 * (touch.ends[0][axis] + touch.ends[1][axis])),
+        along: [touch.normal[1], -touch.normal[0]],
+        way: 2e-4 * f64::from(k),
+    });
     Against {
         since: 12_000,
         changes: Changes {
@@ -151,9 +157,12 @@ fn against(picture: &Picture) -> Against {
             kept: 9.0,
             rotation: 0.04,
             rotation_max: 0.08,
+            slid: 1e-4,
+            slid_max: 9e-4,
         },
         lattice,
         displaced: moved.collect(),
+        slid: Some(slid.collect()),
     }
 }
 

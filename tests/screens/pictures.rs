@@ -63,11 +63,19 @@ fn what_lies_over_panes() {
 #[test]
 fn assembly_in_its_variants() {
     let enlarged = |app: &mut App| app.zoomed = Some(PaneId::Assembly);
-    let variants: [Variant; 12] = [
+    let variants: [Variant; 14] = [
         ("ascii", |app| app.look.points = Points::Ascii),
         ("changed", |app| app.look.compared = Compared::Contacts),
         ("turned", |app| app.look.compared = Compared::Rotations),
         ("moved", |app| app.look.compared = Compared::Displacements),
+        ("slid", |app| app.look.compared = Compared::Sliding),
+        ("slid_unbooked", |app| {
+            app.look.compared = Compared::Sliding;
+            set(app, |frame| {
+                let against = frame.survey.against.as_mut().expect("it has one");
+                against.slid = None;
+            });
+        }),
         ("changed_ascii", |app| {
             (app.look.compared, app.look.points) = (Compared::Contacts, Points::Ascii);
         }),

@@ -7,6 +7,7 @@
 use std::any::Any;
 
 pub use super::book::Book;
+use super::book::Step;
 use super::inner::Inner;
 use super::law::Law;
 use super::memory::Memory;
@@ -74,6 +75,8 @@ pub trait ContactPass: Send + Sync {
     fn as_any(&self) -> &dyn Any;
     /// Bookings of a contact; zero when none are kept.
     fn book(&self, k: usize) -> Book;
+    /// Counts sliding ways from zero again.
+    fn forget_slid(&mut self);
     /// Bytes per contact: parameters, memory, bookings.
     fn bytes(&self) -> [usize; 3];
     /// Memory and bookings for a checkpoint.
@@ -154,8 +157,11 @@ impl<L: Law> Cell<'_, L> {
             Status::Touching
         };
         if let Some(book) = &mut self.book {
-            let step = [g.touch.approach * g.touch.dt, g.touch.slide * g.touch.dt];
-            book.book(r.loss, r.damping, r.excess, step);
+            let step = Step {
+                way: [g.touch.approach * g.touch.dt, g.touch.slide * g.touch.dt],
+                sliding: r.sliding,
+            };
+            book.book(r.loss, r.damping, r.excess, &step);
         }
     }
 
@@ -166,8 +172,11 @@ impl<L: Law> Cell<'_, L> {
         *self.slot = Slot::default();
         *self.status = Status::Apart;
         if let Some(book) = &mut self.book {
-            let step = [touch.approach * touch.dt, touch.slide * touch.dt];
-            book.book(loss, [0.0; 2], 0.0, step);
+            let step = Step {
+                way: [touch.approach * touch.dt, touch.slide * touch.dt],
+                sliding: false,
+            };
+            book.book(loss, [0.0; 2], 0.0, &step);
             **book = Book {
                 friction_loss: book.friction_loss,
                 damping_loss: book.damping_loss,
@@ -423,6 +432,12 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
 
     fn book(&self, k: usize) -> Book {
         self.book.get(k).copied().unwrap_or_default()
+    }
+
+    fn forget_slid(&mut self) {
+        for book in &mut self.book {
+            book.slid = 0.0;
+        }
     }
 
     fn bytes(&self) -> [usize; 3] {

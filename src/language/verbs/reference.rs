@@ -9,7 +9,7 @@ pub const CARD: Card = Card {
     aliases: &[],
     usage: "reference",
     summary: "measures state differences from now on",
-    detail: "Displacements and differences shown later start at 0 here.",
+    detail: "Displacements, differences and sliding ways shown later start at 0 here.",
     examples: &["reference"],
     parse: |_| Ok(Command::Reference),
     changes_world: true,

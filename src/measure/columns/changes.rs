@@ -40,4 +40,18 @@ pub(super) const ROWS: &[Row<Read>] = &[
         "largest size of the rotation since the reference",
         |r| changes(r, |c| c.rotation_max),
     ),
+    regional(
+        "mean_slid",
+        "m",
+        "mean way that touching contacts slid since the reference or first touch",
+        |r| changes(r, |c| c.slid),
+    )
+    .booked(),
+    regional(
+        "max_slid",
+        "m",
+        "longest way that a touching contact slid since the reference or first touch",
+        |r| changes(r, |c| c.slid_max),
+    )
+    .booked(),
 ];

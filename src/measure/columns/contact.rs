@@ -2,6 +2,7 @@
 
 use super::card::Row;
 use crate::engine::World;
+use crate::measure::changes::slid;
 use crate::measure::contact_area::{ContactArea, obliquity, peak_pressure, stick_ratio};
 
 /// How a column of a contact is read, from its place in the list of contacts.
@@ -79,6 +80,13 @@ pub const CONTACT: &[Row<ReadContact>] = &[
         "radius of the part that sticks / radius of the contact area, with partial slip",
         stick_ratio,
     ),
+    row(
+        "slid",
+        "m",
+        "tangential way, without sign, while the whole contact slid, since the reference or first touch",
+        |world, k| slid(world, k).unwrap_or(f64::NAN),
+    )
+    .booked(),
     row(
         "friction_loss",
         "J",

@@ -7,6 +7,7 @@ use crate::engine::contact_report::Other;
 use crate::engine::neighbours::Status;
 use crate::engine::setup::Body;
 use crate::language::command::ParticleRange;
+use crate::measure::changes::slid;
 use crate::measure::contact_area::{ContactArea, obliquity};
 
 /// Overlap over the smaller diameter beyond which a contact is marked: contact laws take it as small
@@ -30,6 +31,8 @@ pub(in crate::session) struct Carried {
     pub(in crate::session) angle: f64,
     /// Whether the whole contact slid in the last cycle.
     pub(in crate::session) sliding: bool,
+    /// Way that it slid since the reference or first touch [m], if that is booked.
+    pub(in crate::session) slid: Option<f64>,
     /// |T|/(μ N), `None` without friction or load.
     pub(in crate::session) obliquity: Option<f64>,
     /// Overlap over the smaller diameter.
@@ -65,6 +68,7 @@ impl Carried {
             overlap: geometry.overlap,
             angle: direction(geometry.e),
             sliding: reaction.sliding,
+            slid: slid(world, k),
             obliquity: (!obliquity.is_nan()).then_some(obliquity),
             depth: geometry.overlap / (2.0 * area.smaller),
             area,
@@ -123,23 +127,25 @@ pub(super) fn lines(world: &World, range: Option<ParticleRange>) -> Vec<String> 
     if chosen.is_empty() {
         return none(world, range);
     }
-    let mut table = Table::new(
-        2,
-        &[
-            number("ball", ""),
-            words("with"),
-            number("n", "N"),
-            number("t", "N"),
-            number("overlap", "m"),
-            number("angle", "deg"),
-            number("|t|/mu n", "-"),
-            number("overlap/d", "-"),
-            words("state"),
-        ],
-    );
+    let mut columns = vec![
+        number("ball", ""),
+        words("with"),
+        number("n", "N"),
+        number("t", "N"),
+        number("overlap", "m"),
+        number("angle", "deg"),
+        number("|t|/mu n", "-"),
+        number("overlap/d", "-"),
+    ];
+    let is_booked = world.ledger().is_some();
+    if is_booked {
+        columns.push(number("slid", "m"));
+    }
+    columns.push(words("state"));
+    let mut table = Table::new(2, &columns);
     for c in &chosen {
         let mark = if c.depth > DEEP { "*" } else { "" };
-        table.row(vec![
+        let mut cells = vec![
             c.first.to_string(),
             name(&c.second),
             figure(c.normal),
@@ -148,8 +154,10 @@ pub(super) fn lines(world: &World, range: Option<ParticleRange>) -> Vec<String> 
             figure(c.angle),
             optional(c.obliquity),
             figure(c.depth) + mark,
-            if c.sliding { "slides" } else { "" }.to_owned(),
-        ]);
+        ];
+        cells.extend(is_booked.then(|| optional(c.slid)));
+        cells.push(if c.sliding { "slides" } else { "" }.to_owned());
+        table.row(cells);
     }
     let mut lines = table.lines();
     let deep = chosen.iter().filter(|c| c.depth > DEEP).count();

@@ -49,7 +49,7 @@ pub enum Action {
     Discs,
     /// Velocities.
     Velocities,
-    /// Contacts, rotations, displacements against the reference, or forces.
+    /// Contacts, rotations, displacements, sliding against the reference, or forces.
     Compare,
     /// Braille, half blocks, ASCII.
     Points,

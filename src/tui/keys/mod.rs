@@ -291,7 +291,7 @@ pub const KEYS: &[Key] = &[
     key(
         press!(KeyCode::Char('c')),
         "c",
-        "changes since the `reference`: contacts, rotations, displacements, none",
+        "changes since the `reference`: contacts, rotations, displacements, sliding, none",
         Action::Compare,
     ),
     key(

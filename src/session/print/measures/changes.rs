@@ -28,5 +28,11 @@ pub(super) fn lines(place: &Place<'_, '_>, sample: &Sample<'_>) -> Vec<String> {
         ("mean rotation", figures([changes.rotation], "rad")),
         ("largest rotation", figures([changes.rotation_max], "rad")),
     ]));
+    if place.region.world().ledger().is_some() {
+        lines.extend(listed(&[
+            ("mean sliding way", figures([changes.slid], "m")),
+            ("longest sliding way", figures([changes.slid_max], "m")),
+        ]));
+    }
     lines
 }

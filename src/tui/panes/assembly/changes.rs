@@ -8,7 +8,7 @@ use ratatui::layout::Rect;
 use super::{Map, STROKE, mark, plain};
 use crate::measure::changes::Bond;
 use crate::measure::frame::{Disc, Picture};
-use crate::measure::survey::{Against, Displaced};
+use crate::measure::survey::{Against, Displaced, Slid};
 use crate::tui::app::App;
 use crate::tui::dots::{Dots, Ink, per_cell};
 use crate::tui::look::{Compared, Points, Role};
@@ -36,6 +36,7 @@ pub(super) fn draw(
                 draw_turn(disc, moved.rotation / scale, map, dots);
             }
         }
+        Compared::Sliding => draw_slid(against.slid.as_deref().unwrap_or_default(), map, dots),
         Compared::Displacements => {
             let scale = STROKE * map.cell / displacement_scale(against);
             for (disc, moved) in moved(picture, against) {
@@ -49,6 +50,29 @@ pub(super) fn draw(
             }
         }
     }
+}
+
+/// A bar across each contact that slid, as long as it slid.
+fn draw_slid(slid: &[Slid], map: &Map, dots: &mut Dots) {
+    let half = 0.5 * STROKE * map.cell / slid_scale(slid);
+    let down = map.per_metre[1] / map.per_metre[0];
+    for Slid { at, along, way } in slid {
+        let middle = map.at(*at);
+        let reach = half * way;
+        let end = |side: f64| {
+            [
+                middle[0] + side * reach * along[0],
+                middle[1] - side * reach * along[1] * down,
+            ]
+        };
+        dots.bar(end(-1.0), end(1.0), 2, Ink::Force(3));
+    }
+}
+
+/// Way that the longest bar stands for [m].
+fn slid_scale(slid: &[Slid]) -> f64 {
+    let ways = slid.iter().map(|slid| slid.way);
+    round_up(ways.filter(|way| way.is_finite()).fold(0.0, f64::max))
 }
 
 /// Discs that were there at the reference. Both lists have the order of the particles, in which
@@ -150,6 +174,7 @@ pub(super) fn title(app: &App) -> String {
         Compared::Contacts => "contacts",
         Compared::Rotations => "rotations",
         Compared::Displacements => "displacements",
+        Compared::Sliding => "sliding",
     };
     let frame = app.frame.as_ref();
     let since = frame
@@ -205,6 +230,21 @@ pub(super) fn write_legend(app: &App, against: &Against, (line, buffer): (Rect, 
                 text,
             )
         }
+        Compared::Sliding => match &against.slid {
+            None => {
+                let text = "not booked: name mean_slid in [history] columns and start again";
+                vec![(text.to_owned(), Role::Label)]
+            }
+            Some(slid) => {
+                let scale = plain(slid_scale(slid));
+                let text = format!(
+                    "{STROKE} columns = {scale} m slid; {} of {} contacts",
+                    slid.len(),
+                    count(Bond::Kept) + count(Bond::Made)
+                );
+                unless(slid.len() as f64, "no contact has slid since then", text)
+            }
+        },
         Compared::Displacements => {
             let scale = plain(displacement_scale(against));
             let text = format!("{STROKE} columns = {scale} m, from where discs are now");
