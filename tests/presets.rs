@@ -27,7 +27,7 @@ fn quick_presets_meet_their_expectations() {
             "{} expects too little",
             preset.name
         );
-        let outcome = verify(scene, 1, &mut |_| true).expect("it runs");
+        let outcome = verify(&scene, 1, &|_| true).expect("it runs");
         let bad: Vec<_> = outcome
             .findings
             .iter()
@@ -182,6 +182,7 @@ fn the_findings_can_be_had_as_csv() {
     let header = reader.headers().expect("there is one").clone();
     let names = [
         "preset", "stage", "what", "value", "expected", "within", "verdict", "source", "remark",
+        "seeds", "sd", "min", "max",
     ];
     assert_eq!(header.iter().collect::<Vec<_>>(), names);
     let rows: Vec<_> = reader
@@ -217,4 +218,45 @@ fn a_run_that_fails_is_a_failed_preset() {
         csv.contains("square-lattice,,the run,nan,nan,nan,FAIL,"),
         "{csv}"
     );
+}
+
+#[test]
+fn an_ensemble_is_judged_by_its_mean() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let preset = include_str!("../presets/two-discs.toml");
+    let expect = |seeds: &str, value: &str| {
+        format!(
+            "{preset}\n[[expect]]\nwhat = \"last(cycle)\"\nseeds = \"{seeds}\"\nvalue = {value}\nwithin = 0.5\n"
+        )
+    };
+    let verify = |text: &str, words: &[&str]| {
+        std::fs::write(folder.path().join("own.toml"), text).expect("it can be written");
+        let output = ballast(folder.path(), &[&["verify", "own.toml"], words].concat());
+        let table = String::from_utf8_lossy(&output.stdout).into_owned();
+        (output.status.code(), table + &said(&output))
+    };
+    for threads in ["1", "2"] {
+        let (status, table) = verify(&expect("5..7", "2"), &["--threads", threads]);
+        assert_eq!(status, Some(0), "{table}");
+        for hint in [
+            "mean over seeds 5..7 of last(cycle)",
+            "3 seeds: standard deviation 0, from 2 to 2",
+            // The preset's own seed is run besides: four runs of two cycles.
+            "own (8 cycles",
+            "6 PASS, 0 DIFFERS, 0 FAIL",
+        ] {
+            assert!(table.contains(hint), "no `{hint}` in\n{table}");
+        }
+    }
+    let (status, table) = verify(&expect("1..3", "3"), &[]);
+    assert_eq!(status, Some(3), "{table}");
+    assert!(table.contains("5 PASS, 0 DIFFERS, 1 FAIL"), "{table}");
+    let (status, table) = verify(&expect("1..3", "2"), &["--csv", "-"]);
+    assert_eq!(status, Some(0), "{table}");
+    assert!(table.contains(",3,0.0,2.0,2.0\n"), "{table}");
+    let (status, table) = verify(&expect("1-3", "2"), &[]);
+    assert_eq!(status, Some(2), "{table}");
+    for hint in ["own.toml:", "no range of seeds", "seeds = \"1..10\""] {
+        assert!(table.contains(hint), "no `{hint}` in\n{table}");
+    }
 }

@@ -6,11 +6,13 @@
 
 mod aligned;
 mod check;
+mod crowd;
 mod lists;
 mod output;
 mod pages;
 mod progress;
 mod run;
+mod sample;
 mod study;
 mod verify;
 mod workbench;
@@ -18,6 +20,7 @@ mod workbench;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
+use crate::scene::Seeds;
 use clap::{Args, CommandFactory, Parser, Subcommand};
 
 /// Bad input or usage.
@@ -127,9 +130,27 @@ struct Run {
     /// Seed of everything random
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     seed: Option<u64>,
-    /// Number of threads; the result does not depend on it
-    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=64))]
-    threads: u16,
+    /// Run each seed from A to B, both included, each to files of its own: FILE-seedA.csv and so on;
+    /// FILE gets mean, standard deviation, minimum and maximum of every row
+    #[arg(
+        long,
+        value_name = "A..B",
+        conflicts_with_all = ["seed"],
+        long_help = "Run each seed from A to B, both included, as many at a time as there are \
+        --threads (without it, as many as there are processors), each run on one thread.\n\n\
+        With --csv FILE.csv each seed has the files it would have alone, under the name \
+        FILE-seedK: .csv, .journal, .ballast. FILE.csv holds mean, standard deviation (of one \
+        value, n - 1), minimum and maximum of every column over the seeds, row by row: cycle, time \
+        (means), stage, row (from 0 in each stage), n (seeds that have this row), then COLUMN:mean, \
+        COLUMN:sd, COLUMN:min, COLUMN:max. Where a stage ends later in some seeds, its last rows are \
+        those of these seeds alone. A value that is nan does not count. A seed whose run failed keeps \
+        its own files and is left out of FILE.csv. --csv - prints FILE.csv and writes no other file."
+    )]
+    seeds: Option<Seeds>,
+    /// Number of threads; the result does not depend on it [default: 1; with --seeds as many as
+    /// there are processors]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=64))]
+    threads: Option<u16>,
     /// Stop at this cycle
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     cycles: Option<u64>,
@@ -142,9 +163,15 @@ struct Run {
     /// Go on from a checkpoint
     #[arg(long, value_name = "FILE")]
     resume: Option<PathBuf>,
+    /// Neither use nor keep prepared samples of presets with [start]
+    #[arg(long)]
+    no_cache: bool,
     /// No progress and no summary
     #[arg(long, short)]
     quiet: bool,
+    /// Beginning of the names of files that no option names; set for the runs of an ensemble
+    #[arg(skip)]
+    stem: Option<String>,
 }
 
 /// Options of `check`.

@@ -1,11 +1,13 @@
 //! The two streams.
 
+use std::cell::RefCell;
 use std::io::{ErrorKind, IsTerminal, Write};
 use std::path::Path;
 
-use super::FAILED;
+use super::{BAD_INPUT, FAILED};
 use crate::record::error::{Attempt, RecordError};
 use crate::scene::{Rejection, Scene};
+use crate::session::RunError;
 
 /// Data, to standard output; answers the exit status. A reader that has gone away needs no more of
 /// it.
@@ -22,10 +24,21 @@ pub(super) fn print(text: &str) -> u8 {
     }
 }
 
+thread_local! {
+    /// Whose messages those of this thread are: runs that go on at the same time are told apart.
+    static SPEAKER: RefCell<String> = const { RefCell::new(String::new()) };
+}
+
+/// Messages of this thread begin with this name from now on.
+pub(super) fn speak_as(name: &str) {
+    SPEAKER.set(format!("{name}: "));
+}
+
 /// A message, to standard error.
 pub(super) fn tell(text: &str) {
-    let mut out = std::io::stderr().lock();
-    drop(writeln!(out, "{text}"));
+    let text = SPEAKER.with_borrow(|speaker| format!("{speaker}{text}\n"));
+    // In one piece: others may speak at the same time.
+    drop(std::io::stderr().lock().write_all(text.as_bytes()));
 }
 
 /// An error, to standard error.
@@ -54,4 +67,14 @@ pub(super) fn load(preset: &str, set: &[String]) -> Option<Scene> {
             None
         }
     }
+}
+
+/// Says why a scene cannot be opened; answers the exit status.
+pub(super) fn unopened(error: &RunError) -> u8 {
+    if let RunError::Rejected(rejection) = error {
+        reject(rejection);
+        return BAD_INPUT;
+    }
+    complain(&error.to_string());
+    FAILED
 }

@@ -22,7 +22,7 @@ pub(super) struct Progress {
     /// Cycle at which the run stops by order.
     stop: Option<u64>,
     quiet: bool,
-    /// What comes before the place: the preset, where there are several.
+    /// What comes before the place.
     title: String,
     bar: Option<ProgressBar>,
     next_line: Duration,
@@ -42,11 +42,11 @@ impl Progress {
         }
     }
 
-    /// The same, named.
-    pub(super) fn titled(self, title: &str) -> Self {
+    /// For a session that prepares a sample.
+    pub(super) fn of_sample(session: &Session, quiet: bool) -> Self {
         Self {
-            title: format!("{title}  "),
-            ..self
+            title: format!("preparing {}  ", session.scene().name),
+            ..Self::new(session, None, quiet)
         }
     }
 
@@ -58,18 +58,12 @@ impl Progress {
         }
         let cycle = session.world().cycle_number();
         let rate = (cycle - self.first_cycle) as f64 / elapsed.as_secs_f64();
-        let end = self.end(session);
-        let (stage, stages) = session.stage_number();
-        let title = &self.title;
-        let place = match session.stage_name() {
-            "" => title.clone(),
-            name => format!("{title}{name} {}/{stages}  ", stage + 1),
-        };
+        let end = end(session, self.stop);
+        let place = format!("{}{}", self.title, place(session));
         if std::io::stderr().is_terminal() {
             let bar = self.bar.get_or_insert_with(|| {
                 let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
-                let style = ProgressStyle::with_template("{msg}  {wide_bar} {percent}%  eta {eta}");
-                bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+                bar.set_style(style());
                 bar
             });
             if let Some(end) = end {
@@ -88,30 +82,40 @@ impl Progress {
         }
     }
 
-    /// The cycle at which the run is over at the latest, if it is known.
-    fn end(&self, session: &Session) -> Option<u64> {
-        let (stage, _) = session.stage_number();
-        let done = session.world().cycle_number() - session.stage_cycle();
-        let stages = session.scene().stages.get(stage..).unwrap_or_default();
-        let rest: Option<u64> = stages.iter().map(|stage| stage.max_cycles).sum();
-        let by_stages = rest
-            .filter(|_| !stages.is_empty())
-            .map(|cycles| done + cycles);
-        match (self.stop, by_stages) {
-            (Some(a), Some(b)) => Some(a.min(b)),
-            (a, b) => a.or(b),
-        }
-    }
-
     /// Takes the bar away.
     pub(super) fn clear(&mut self) {
         if let Some(bar) = self.bar.take() {
             bar.finish_and_clear();
         }
     }
+}
 
-    /// Time since the start.
-    pub(super) fn elapsed(&self) -> Duration {
-        self.start.elapsed()
+/// How bars look.
+pub(super) fn style() -> ProgressStyle {
+    let style = ProgressStyle::with_template("{msg}  {wide_bar} {percent}%  eta {eta}");
+    style.unwrap_or_else(|_| ProgressStyle::default_bar())
+}
+
+/// Where a session is: its stage and how many there are.
+pub(super) fn place(session: &Session) -> String {
+    let (stage, stages) = session.stage_number();
+    match session.stage_name() {
+        "" => String::new(),
+        name => format!("{name} {}/{stages}  ", stage + 1),
+    }
+}
+
+/// The cycle at which a session that stops at `stop` is over at the latest, if it is known.
+pub(super) fn end(session: &Session, stop: Option<u64>) -> Option<u64> {
+    let (stage, _) = session.stage_number();
+    let done = session.world().cycle_number() - session.stage_cycle();
+    let stages = session.scene().stages.get(stage..).unwrap_or_default();
+    let rest: Option<u64> = stages.iter().map(|stage| stage.max_cycles).sum();
+    let by_stages = rest
+        .filter(|_| !stages.is_empty())
+        .map(|cycles| done + cycles);
+    match (stop, by_stages) {
+        (Some(a), Some(b)) => Some(a.min(b)),
+        (a, b) => a.or(b),
     }
 }

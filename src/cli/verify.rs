@@ -6,17 +6,18 @@ use std::time::{Duration, Instant};
 
 use super::aligned::aligned;
 use super::check::duration;
-use super::output::{coloured, complain, load, print, tell};
-use super::progress::Progress;
+use super::crowd::Crowd;
+use super::output::{coloured, complain, load, print, tell, unopened};
 use super::{BAD_INPUT, FAILED, Verify};
 use crate::record::interrupt::Interrupt;
 use crate::record::whole_file;
 use crate::scene::Scene;
 use crate::scene::catalogue::PRESETS;
 use crate::session::figure::figure;
-use crate::session::{Options, Session};
+use crate::session::start::{is_ready, preparation};
+use crate::session::{Options, RunError, Session};
 use crate::study::trial::Trial;
-use crate::study::verify::{Finding, Outcome, Verdict, csv, verify as measure};
+use crate::study::verify::{Finding, Outcome, Verdict, csv, seeds, verify as measure};
 
 /// Some expectation failed.
 const NOT_VERIFIED: u8 = 3;
@@ -48,22 +49,26 @@ pub(super) fn verify(options: &Verify) -> u8 {
     for scene in scenes {
         let name = scene.name.clone();
         let start = Instant::now();
-        let mut progress: Option<Progress> = None;
-        let outcome = measure(scene, usize::from(options.threads), &mut |session| {
-            progress
-                .get_or_insert_with(|| Progress::new(session, None, false).titled(&name))
-                .show(session);
+        let crowd = Crowd::new(&name, seeds(&scene), None, false);
+        let outcome = measure(&scene, usize::from(options.threads), &|session| {
+            if session.scene().name == name {
+                crowd.show(session);
+            } else {
+                crowd.prepare(session.scene().seed, session);
+            }
             interrupt.caught().is_none()
         });
-        if let Some(progress) = &mut progress {
-            progress.clear();
-        }
+        crowd.clear();
         signal = interrupt.caught();
         if let Some(signal) = signal {
             complain(&format!("{} while verifying {name}", signal.name));
             break;
         }
-        let outcome = outcome.unwrap_or_else(|error| Outcome::failed(&name, &error));
+        let outcome = match outcome {
+            Ok(outcome) => outcome,
+            Err(error @ RunError::Rejected(_)) => return unopened(&error),
+            Err(error) => Outcome::failed(&name, &error),
+        };
         if !to_stdout {
             let printed = print(&(table(&outcome, start.elapsed(), colour) + "\n"));
             if printed != 0 {
@@ -97,13 +102,13 @@ fn chosen(options: &Verify) -> Option<Vec<Scene>> {
         scenes.push(scene);
     }
     if bare && !options.all {
-        scenes = affordable(scenes);
+        scenes = affordable(scenes, usize::from(options.threads));
     }
     Some(scenes)
 }
 
 /// Those that take less than ten minutes in all; says which are left out.
-fn affordable(scenes: Vec<Scene>) -> Vec<Scene> {
+fn affordable(scenes: Vec<Scene>, threads: usize) -> Vec<Scene> {
     let mut left = BARE - QUICK;
     let mut kept = Vec::new();
     for scene in scenes {
@@ -111,8 +116,9 @@ fn affordable(scenes: Vec<Scene>) -> Vec<Scene> {
             kept.push(scene);
             continue;
         }
-        let session = Session::open(scene.clone(), Options::default());
-        let estimate = session.ok().and_then(|s| Trial::of(s).estimate());
+        let runs = seeds(&scene).len();
+        let rounds = runs.div_ceil(threads.clamp(1, runs)) as f64;
+        let estimate = estimate(&scene, runs).map(|seconds| rounds * seconds);
         match estimate {
             Some(seconds) if seconds <= left => {
                 left -= seconds;
@@ -128,6 +134,24 @@ fn affordable(scenes: Vec<Scene>) -> Vec<Scene> {
         }
     }
     kept
+}
+
+/// Time that a run takes, its sample included if that is not ready for every seed [s]. None if nobody
+/// knows: then nothing is prepared to find out.
+fn estimate(scene: &Scene, runs: usize) -> Option<f64> {
+    let options = Options::default();
+    let preparation = preparation(scene).ok()?;
+    match preparation {
+        Some(sample) if runs > 1 || !is_ready(scene, &options) => {
+            if !is_ready(&sample, &options) {
+                return None;
+            }
+            let trial = Trial::of(Session::open(sample, options).ok()?);
+            let own: Option<u64> = scene.stages.iter().map(|stage| stage.max_cycles).sum();
+            Some(trial.estimate()? + own? as f64 / trial.rate())
+        }
+        _ => Trial::of(Session::open(scene.clone(), options).ok()?).estimate(),
+    }
 }
 
 /// Counts, the file, the exit status.
@@ -185,6 +209,15 @@ fn table(outcome: &Outcome, elapsed: Duration, colour: bool) -> String {
         if let Err(why) = &finding.value {
             remark(why);
         }
+        if let Some(spread) = &finding.spread {
+            remark(&format!(
+                "{} seeds: standard deviation {}, from {} to {}",
+                spread.n,
+                figure(spread.sd),
+                figure(spread.min),
+                figure(spread.max)
+            ));
+        }
         remark(&finding.source);
         remark(&finding.reason);
     }
@@ -241,7 +274,7 @@ mod tests {
         let kept = |set: &[&str]| {
             let set: Vec<String> = set.iter().map(|option| (*option).to_owned()).collect();
             let scene = Scene::load("square-lattice", &set).unwrap();
-            affordable(vec![scene]).len()
+            affordable(vec![scene], 1).len()
         };
         // Ten thousand million cycles take hours on any machine.
         let long = "stage.nudge.max_cycles=10_000_000_000";
@@ -253,6 +286,6 @@ mod tests {
         let text = Scene::load("square-lattice", &[]).unwrap().text;
         let text = text.replace("max_cycles = 5000", "until = \"kinetic > 1\"");
         let scene = Scene::parse("endless", &text, &["about.quick=false".to_owned()]).unwrap();
-        assert!(affordable(vec![scene]).is_empty());
+        assert!(affordable(vec![scene], 1).is_empty());
     }
 }

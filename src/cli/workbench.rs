@@ -3,8 +3,9 @@
 use std::sync::mpsc::RecvTimeoutError;
 use std::time::Duration;
 
-use super::output::{complain, load, tell};
-use super::{BAD_INPUT, FAILED, Workbench};
+use super::output::{complain, load, tell, unopened};
+use super::sample::with_sample;
+use super::{BAD_INPUT, Workbench};
 use crate::scene::Scene;
 use crate::scene::catalogue::PRESETS;
 use crate::session::RunError;
@@ -29,6 +30,10 @@ pub(super) fn open(options: &Workbench) -> u8 {
         return BAD_INPUT;
     }
     let threads = usize::from(options.threads);
+    let scene = match with_sample(scene, threads, false) {
+        Ok(scene) => scene,
+        Err(status) => return status,
+    };
     if plain {
         return tell_end(dialogue(scene, threads));
     }
@@ -68,9 +73,6 @@ fn tell_end(ended: Result<Ended, RunError>) -> u8 {
             tell(&ended.farewell);
             ended.status
         }
-        Err(error) => {
-            complain(&error.to_string());
-            FAILED
-        }
+        Err(error) => unopened(&error),
     }
 }

@@ -16,6 +16,7 @@ pub mod neighbours;
 pub mod pair;
 pub mod particles;
 pub mod plan;
+mod restart;
 pub mod setup;
 pub mod step;
 pub mod threads;

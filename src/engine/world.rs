@@ -11,6 +11,7 @@ use super::neighbours::list::ContactList;
 use super::pair::PairTable;
 use super::particles::{Inertia, Mobility, Particles};
 use super::plan::Plan;
+use super::restart::number;
 use super::setup::{Body, Gravity, ParticleSetup, Setup};
 use super::threads::Threads;
 use super::time_step;
@@ -73,14 +74,14 @@ pub struct FraccMonitor {
 }
 
 impl World {
-    /// Builds the world of a setup and evaluates its first forces.
-    pub fn build(setup: Setup, threads: usize) -> Result<Self, Fault> {
+    /// The same where the first particles have these numbers, ascending; the others follow.
+    pub fn build_numbered(setup: Setup, ids: &[u32], threads: usize) -> Result<Self, Fault> {
         let origin = far_origin(&setup.particles);
         let mut particles = Particles::default();
         for (p, particle) in setup.particles.iter().enumerate() {
             let density = setup.materials[particle.material].density;
             let mass = Inertia::of(setup.body, particle.radius, density);
-            particles.push(p as u32 + 1, particle, origin, mass);
+            particles.push(number(ids, p), particle, origin, mass);
         }
         let walls = setup.walls.iter().map(|w| Wall::new(w, origin)).collect();
         let smallest = particles.smallest_radius();
@@ -96,7 +97,7 @@ impl World {
             dt: f64::NAN,
             base_step: f64::NAN,
             first_kick: true,
-            next_id: particles.len() as u32 + 1,
+            next_id: number(ids, particles.len()),
             turning: false,
             broken: None,
             misplaced: None,

@@ -103,6 +103,7 @@ mod tests {
                 particles: vec![1],
                 regions: vec!["core".into()],
                 materials: vec!["glass".into(), "soft clay".into()],
+                open: false,
             },
             definitions: Definitions::default(),
         };

@@ -139,6 +139,7 @@ mod tests {
                 particles: vec![1, 2, 3],
                 regions: vec![],
                 materials: vec!["glass".into(), "steel".into()],
+                open: false,
             },
             definitions: Definitions::default(),
         }

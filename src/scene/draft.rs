@@ -10,6 +10,7 @@ use super::phrase;
 use super::place::{Place, quoted};
 use super::problem::{Problem, Report};
 use super::stage::Stage;
+use super::start::{Given, Start};
 use super::study::Study;
 use super::{about::About, reader::Reader};
 use crate::engine::setup::{
@@ -30,6 +31,16 @@ pub(crate) struct Draft<'a> {
     pub(crate) about: About,
     /// Random seed.
     pub(crate) seed: u64,
+    /// The same if it was given.
+    pub(crate) own_seed: Option<u64>,
+    /// Which tables were written.
+    pub(crate) wrote: Wrote,
+    /// What is known of the sample.
+    pub(crate) given: Given<'a>,
+    /// `[start]`.
+    pub(crate) start: Option<Start>,
+    /// Particles and walls that came from the sample: the first of all.
+    pub(crate) sampled: [usize; 2],
     /// What the world will be built from.
     pub(crate) setup: Setup,
     /// `[[generate]]`.
@@ -68,6 +79,17 @@ pub(crate) struct Draft<'a> {
     pub(crate) walls: Vec<Mark>,
 }
 
+/// Which tables were written: a sample takes the place of some.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Wrote {
+    /// `[start]`.
+    pub(crate) start: bool,
+    /// `[[particle]]` or `[[generate]]`.
+    pub(crate) particles: bool,
+    /// `[[wall]]`.
+    pub(crate) walls: bool,
+}
+
 /// Where a table was written and whether all of it could be read.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Mark {
@@ -84,6 +106,11 @@ impl<'a> Draft<'a> {
             report,
             about: About::default(),
             seed: 0,
+            own_seed: None,
+            wrote: Wrote::default(),
+            given: Given::Nothing,
+            start: None,
+            sampled: [0; 2],
             setup: Setup {
                 body: Body::Sphere,
                 law: LawChoice::linear(),
@@ -126,6 +153,11 @@ impl<'a> Draft<'a> {
             particles: Vec::new(),
             walls: Vec::new(),
         }
+    }
+
+    /// Number of the next particle.
+    pub(crate) fn next_number(&self) -> u32 {
+        self.ever.particles.last().map_or(1, |last| last + 1)
     }
 
     /// The index of a material by name; reports a name that no material has.

@@ -5,6 +5,7 @@ use super::key::{Absent, Bounds, Form, Key};
 use super::phrase;
 use super::reader::Reader;
 use super::section::{Section, Shape};
+use super::seeds::Seeds;
 use crate::language::Quantity;
 
 /// A number that a run must reproduce.
@@ -16,6 +17,8 @@ pub struct Expect {
     pub what: Quantity,
     /// `what` as written in the preset.
     pub text: String,
+    /// The mean over these seeds is measured; `None`: the run of the preset's own seed.
+    pub seeds: Option<Seeds>,
     /// The number, in the units of `what`.
     pub value: f64,
     /// How far from it a run may be.
@@ -71,6 +74,14 @@ const KEYS: &[Key] = &[
             "what",
             Absent::Wrong,
             "quantity that is measured, such as max(kinetic)",
+        )
+    },
+    Key {
+        form: Form::Text,
+        ..number(
+            "seeds",
+            Absent::Said("the seed of the preset"),
+            "seeds, \"1..10\" for 1 to 10, whose mean of `what` is compared",
         )
     },
     Key {
@@ -132,6 +143,7 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
         let checked = what.check(&draft.ever);
         phrase::accept(reader.report, checked, text, place).map(|()| (what, text))
     });
+    let seeds = seeds(reader);
     let value = reader.number("value");
     let within = band(reader, "within", "within_rel", value);
     let differs = differs(reader);
@@ -144,6 +156,7 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
         stage,
         what,
         text: text.to_owned(),
+        seeds,
         value,
         within,
         source: source.unwrap_or_default(),
@@ -155,6 +168,21 @@ fn stage(reader: &Reader<'_>, draft: &Draft<'_>) -> Option<String> {
     let (name, place) = reader.text("stage")?;
     draft.check_stage(name, place);
     Some(name.to_owned())
+}
+
+fn seeds(reader: &Reader<'_>) -> Option<Seeds> {
+    let (text, _) = reader.text("seeds")?;
+    let seeds = text.parse::<Seeds>();
+    seeds
+        .map_err(|why| {
+            reader.refuse(
+                "seeds",
+                &format!("`seeds` of {} is no range of seeds", reader.title),
+                &why,
+                "write seeds = \"1..10\" for the ten seeds from 1 to 10",
+            );
+        })
+        .ok()
 }
 
 fn band(

@@ -36,11 +36,14 @@ mod reference;
 mod rejection;
 mod requirements;
 mod section;
+mod seeds;
 mod stage;
+mod start;
 mod study;
 mod wall;
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 pub use about::About;
 pub use answer::Answer;
@@ -50,16 +53,18 @@ pub use generate::{Generated, SizeGenerated};
 pub use history::History;
 pub use reference::{reference_table, reference_text};
 pub use rejection::Rejection;
+pub use seeds::Seeds;
 pub use stage::Stage;
+pub use start::{Keep, Sample, Source, Start, Trouble};
 pub use study::{Question, Reference, Study, Sweep, elements};
 
 use crate::engine::setup::Setup;
 use crate::language::{Definitions, Observable};
 use crate::measure::region::Region;
 use draft::Draft;
-use place::Source;
 use problem::Report;
 use section::Section;
+use start::Given;
 
 /// The tables of a preset, in the order they are read: later ones name what earlier ones declare.
 const SECTIONS: &[Section] = &[
@@ -68,6 +73,7 @@ const SECTIONS: &[Section] = &[
     damping::SECTION,
     material::SECTION,
     pair::SECTION,
+    start::SECTION,
     particle::SECTION,
     wall::SECTION,
     generate::SECTION,
@@ -115,6 +121,12 @@ pub struct Scene {
     pub study: Study,
     /// Seed of everything random.
     pub seed: u64,
+    /// The same if the preset gives it.
+    pub own_seed: Option<u64>,
+    /// The sample that it starts from, by name.
+    pub start: Option<Start>,
+    /// That sample, once it was found: its particles and walls are part of the setup.
+    pub sample: Option<Arc<Sample>>,
     /// Conditions that read columns are tested every so many cycles; `None`: as `history.every`.
     pub check_every: Option<u64>,
 }
@@ -137,24 +149,83 @@ impl Scene {
         let name = Path::new(path_or_name)
             .file_stem()
             .map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
-        let scene = Self::read(&name, path_or_name, text, overrides)?;
+        let scene = Self::read([&name, path_or_name], text, overrides, Given::Nothing)?;
         Ok(Self { origin, ..scene })
     }
 
     /// Reads the text of a preset and applies overrides.
     pub fn parse(name: &str, text: &str, overrides: &[String]) -> Result<Self, Rejection> {
-        Self::read(name, name, text.to_owned(), overrides)
+        Self::read([name, name], text.to_owned(), overrides, Given::Nothing)
+    }
+
+    /// The same with another seed, as `--seed` gives it; its sample is another one too.
+    pub fn with_seed(&self, seed: u64) -> Result<Self, Rejection> {
+        let seed = format!("model.seed={seed}");
+        self.again(&[&self.overrides[..], &[seed]].concat(), Given::Nothing)
+    }
+
+    /// The same with other overrides, starting from the same sample.
+    pub fn overridden(&self, overrides: &[String]) -> Result<Self, Rejection> {
+        let Some(sample) = &self.sample else {
+            return self.again(overrides, Given::Nothing);
+        };
+        let scene = self.again(overrides, Given::Sample(sample))?;
+        let sample = self.sample.clone();
+        Ok(Self { sample, ..scene })
+    }
+
+    /// The same with the sample that it starts from: names and materials are checked against it.
+    pub fn started(&self, sample: Arc<Sample>) -> Result<Self, Rejection> {
+        let scene = self.again(&self.overrides, Given::Sample(&sample))?;
+        let sample = Some(sample);
+        Ok(Self { sample, ..scene })
+    }
+
+    /// The report on a scene that has nothing to start from.
+    pub fn refused(&self, trouble: &Trouble) -> Rejection {
+        let read = self.again(&self.overrides, Given::Trouble(trouble));
+        read.err().unwrap_or_else(|| {
+            let title = self.title();
+            let text = String::new();
+            let problem = problem::Problem::nowhere(&trouble.message).remedy(&trouble.remedy);
+            Rejection::one(place::Source { title, text }, problem)
+        })
+    }
+
+    /// Numbers of the particles that come from a sample: the first ones.
+    pub fn numbers(&self) -> Vec<u32> {
+        let particles = self.sample.iter().flat_map(|sample| &sample.particles);
+        particles.map(|(number, _)| *number).collect()
+    }
+
+    fn again(&self, overrides: &[String], given: Given<'_>) -> Result<Self, Rejection> {
+        let scene = Self::read(
+            [&self.name, &self.title()],
+            self.text.clone(),
+            overrides,
+            given,
+        )?;
+        let origin = self.origin.clone();
+        Ok(Self { origin, ..scene })
+    }
+
+    /// What messages call its text.
+    fn title(&self) -> String {
+        match &self.origin {
+            Origin::File(path) => path.display().to_string(),
+            Origin::Embedded(_) | Origin::Text => self.name.clone(),
+        }
     }
 
     fn read(
-        name: &str,
-        title: &str,
+        [name, title]: [&str; 2],
         text: String,
         overrides: &[String],
+        given: Given<'_>,
     ) -> Result<Self, Rejection> {
         // Editors of other systems put a byte order mark in front.
         let bare = text.strip_prefix('\u{feff}').map(str::to_owned);
-        let source = Source {
+        let source = place::Source {
             title: title.to_owned(),
             text: bare.unwrap_or(text),
         };
@@ -166,7 +237,7 @@ impl Scene {
             Err(problem) => return Err(Rejection::one(source, problem)),
         };
         let mut sources = vec![source];
-        sources.extend(overrides.iter().map(|text| Source {
+        sources.extend(overrides.iter().map(|text| place::Source {
             title: study::option(text).unwrap_or("--set".to_owned()),
             text: text.clone(),
         }));
@@ -176,7 +247,7 @@ impl Scene {
                 report.add(problem);
             }
         }
-        let draft = section::read_all(&document, &report);
+        let draft = section::read_all(&document, &report, given);
         requirements::check(&draft);
         overlap::check(&draft);
         if report.count() > 0 {
@@ -222,6 +293,9 @@ impl Scene {
             answers: draft.answers,
             study: draft.study,
             seed: draft.seed,
+            own_seed: draft.own_seed,
+            start: draft.start,
+            sample: None,
         }
     }
 

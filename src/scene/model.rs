@@ -172,6 +172,7 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
         .unwrap_or_default();
     setup.tol = reader.number("tol");
     draft.seed = reader.count("seed").unwrap_or_default();
+    draft.own_seed = reader.has("seed").then_some(draft.seed);
     draft.model = Mark {
         place: reader.place_of("time_step"),
         // What a wrong law or step would need is not known.

@@ -65,6 +65,10 @@ fn check_pairs(draft: &Draft<'_>, sound: &[usize]) {
 
 /// Whether to go on.
 fn check_pair(draft: &Draft<'_>, i: usize, j: usize) -> bool {
+    if j < draft.sampled[0] {
+        // Both come from a run, which has pressed them together.
+        return true;
+    }
     let (first, second) = (&draft.setup.particles[i], &draft.setup.particles[j]);
     let smaller = first.radius.min(second.radius);
     let apart = libm::hypot(second.at[0] - first.at[0], second.at[1] - first.at[1]);
@@ -129,6 +133,9 @@ fn reach(wall: &WallSetup) -> (f64, f64) {
 
 /// Whether to go on.
 fn check_wall(draft: &Draft<'_>, i: usize, w: usize) -> bool {
+    if i < draft.sampled[0] && w < draft.sampled[1] {
+        return true;
+    }
     let (particle, wall) = (&draft.setup.particles[i], &draft.setup.walls[w]);
     let apart = distance(particle.at, wall);
     let overlap = particle.radius - apart;

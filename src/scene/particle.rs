@@ -124,6 +124,7 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
             "leave `spin` out, or write rotation = true in [model]",
         );
     }
+    let number = draft.next_number();
     draft.setup.particles.push(ParticleSetup {
         at: at.unwrap_or_default(),
         radius: radius.unwrap_or_default(),
@@ -134,7 +135,6 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
         force: force.unwrap_or_default(),
         fixed,
     });
-    let number = draft.setup.particles.len() as u32;
     draft.known.names.particles.push(number);
     draft.ever.particles.push(number);
     draft.particles.push(Mark {

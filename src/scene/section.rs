@@ -2,11 +2,12 @@
 //! draft; here they are found in the document and opened.
 
 use super::document::{Entry, Node, Table, Value};
-use super::draft::Draft;
+use super::draft::{Draft, Wrote};
 use super::key::Key;
 use super::place::{Place, quoted};
 use super::problem::{Problem, Report};
 use super::reader::Reader;
+use super::start::Given;
 use crate::measure::columns::nearest;
 
 /// A table of presets.
@@ -59,8 +60,15 @@ static NOTHING: Table = Table {
 
 /// Reads all sections of a document, in the order of the list: later ones name what earlier ones
 /// declare.
-pub(crate) fn read_all<'a>(document: &'a Table, report: &'a Report) -> Draft<'a> {
+pub(crate) fn read_all<'a>(document: &'a Table, report: &'a Report, given: Given<'a>) -> Draft<'a> {
     let mut draft = Draft::new(report);
+    let wrote = |name: &str| document.get(name).is_some();
+    draft.given = given;
+    draft.wrote = Wrote {
+        start: wrote("start"),
+        particles: wrote("particle") || wrote("generate"),
+        walls: wrote("wall"),
+    };
     for entry in &document.entries {
         if super::SECTIONS
             .iter()
@@ -90,20 +98,23 @@ pub(crate) fn read_all<'a>(document: &'a Table, report: &'a Report) -> Draft<'a>
             None => {}
         }
     }
-    if BODIES.iter().all(|name| is_absent(document, name)) {
+    if !draft.wrote.start && BODIES.iter().all(|name| is_absent(document, name)) {
         report.add(
             Problem::new(
                 "the preset has no [[particle]] and no [[generate]]",
                 Place::new(0, 0..0),
             )
             .expected("particles are missing")
-            .remedy("add [[particle]] for each one, or a [[generate]] that places many"),
+            .remedy(
+                "add [[particle]] for each one, or a [[generate]] that places many, or a [start] \
+                 from where another run ended",
+            ),
         );
     }
     draft
 }
 
-/// The tables that particles come from: a preset has one of them.
+/// The tables that particles come from: a preset has one of them, or starts from a sample.
 const BODIES: [&str; 2] = ["particle", "generate"];
 
 /// Whether a listed table is written nowhere.

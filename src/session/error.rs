@@ -3,6 +3,7 @@
 use crate::engine::Fault;
 use crate::language::Mistake;
 use crate::record::error::RecordError;
+use crate::scene::Rejection;
 
 /// A command that was not carried out; nothing has changed.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -65,7 +66,19 @@ pub enum RunError {
         /// Why.
         refusal: Refusal,
     },
+    /// There is nothing to start from, or it does not go with the preset.
+    #[error(transparent)]
+    Rejected(Box<Rejection>),
+    /// The sample to start from was not ready when somebody ended it.
+    #[error("ended while the sample to start from was being prepared")]
+    Stopped,
     /// A checkpoint does not fit.
     #[error("{0}")]
     Misfit(String),
+}
+
+impl From<Rejection> for RunError {
+    fn from(rejection: Rejection) -> Self {
+        Self::Rejected(Box::new(rejection))
+    }
 }

@@ -19,6 +19,7 @@ mod print;
 mod recording;
 mod replay;
 mod save;
+pub mod start;
 mod tables;
 pub mod worker;
 
@@ -101,6 +102,11 @@ impl Session {
         &self.recording
     }
 
+    /// What was recorded, when nothing else is wanted any more.
+    pub fn into_recording(self) -> Recording {
+        self.recording
+    }
+
     /// What was done.
     pub fn journal(&self) -> &Journal {
         &self.journal
@@ -165,6 +171,7 @@ impl Session {
                 .iter()
                 .map(|material| material.name.clone())
                 .collect(),
+            open: false,
         }
     }
 

@@ -3,8 +3,7 @@
 use std::path::Path;
 
 use super::course::Course;
-use super::{Recording, RunError, Session};
-use crate::engine::World;
+use super::{Recording, RunError, Session, start};
 use crate::measure::reference::Reference;
 use crate::record::history::History;
 use crate::record::journal::{Journal, JournalWriter};
@@ -19,12 +18,27 @@ pub struct Options {
     pub seed: Option<u64>,
     /// Keeps no state to go back to after a fault: for runs that are repeated anyway.
     pub expendable: bool,
+    /// Neither looks for a prepared sample in the cache nor keeps one there.
+    pub no_cache: bool,
 }
 
 impl Session {
-    /// Builds the world of a scene. No file is touched.
+    /// Builds the world of a scene. No file is touched but that of its sample.
     pub fn open(scene: Scene, options: Options) -> Result<Self, RunError> {
-        let world = World::build(scene.setup.clone(), options.threads.max(1))?;
+        Self::open_watched(scene, options, &mut |_| true)
+    }
+
+    /// The same, telling how far its sample is while that is being prepared.
+    pub fn open_watched(
+        scene: Scene,
+        options: Options,
+        beat: &mut start::Beat<'_>,
+    ) -> Result<Self, RunError> {
+        let started = start::resolve(scene, &options, beat)?;
+        let (scene, mut notices) = (started.scene, started.notices);
+        let world = start::world(&scene, &options)?;
+        notices.extend(scene.generated.iter().filter_map(Generated::shortfall));
+        notices.extend(start::another(&scene, &world));
         let read = scene
             .expects
             .iter()
@@ -36,12 +50,10 @@ impl Session {
             preset_name: scene.name.clone(),
             preset_text: scene.text.clone(),
             seed: options.seed,
-            overrides: scene.overrides.clone(),
+            overrides: start::noted(&scene, &world),
             ..Journal::default()
         };
         let reference = Reference::of(&world);
-        let notices = scene.generated.iter().filter_map(Generated::shortfall);
-        let notices = notices.collect();
         Ok(Self {
             scene,
             world,

@@ -10,7 +10,7 @@ use super::{Recording, RunError, Session};
 use crate::engine::World;
 use crate::language::{Command, Observable};
 use crate::measure::reference::Reference;
-use crate::record::checkpoint;
+use crate::record::checkpoint::{self, CheckpointFault};
 use crate::record::journal::{EventKind, Journal};
 use crate::scene::Scene;
 
@@ -36,6 +36,29 @@ struct Saving<'a> {
     reference: &'a Reference,
     dumped: Option<u64>,
     world: &'a World,
+}
+
+/// What a checkpoint holds, for whoever does not go on with its run.
+pub(super) struct Held {
+    /// The state, whose contact memory is still packed.
+    pub(super) world: World,
+    /// What was done.
+    pub(super) journal: Journal,
+    /// Stage that was being run.
+    pub(super) stage: usize,
+    /// Stages that ended at `max_cycles` although they have a condition.
+    pub(super) cut_short: Vec<String>,
+}
+
+/// Reads the bytes of a checkpoint.
+pub(super) fn held(bytes: &[u8]) -> Result<Held, CheckpointFault> {
+    let saved: Saved = checkpoint::decode(bytes)?;
+    Ok(Held {
+        world: saved.world,
+        journal: saved.journal,
+        stage: saved.course.stage,
+        cut_short: saved.course.cut_short,
+    })
 }
 
 impl Session {

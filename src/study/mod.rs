@@ -4,8 +4,10 @@
 //! simulated time ([`pace`]), once for what it gives ([`trace`]) and repeatedly for how long it
 //! takes ([`timing`]). What comes out is judged by the questions that were asked ([`question`],
 //! [`error`], [`replies`]) and laid out as numbers ([`outcome`], [`table`]) and as a picture
-//! ([`picture`]). [`limits`] searches the largest stable step instead.
+//! ([`picture`]). [`limits`] searches the largest stable step instead. [`ensemble`] runs a scene
+//! with many seeds.
 
+pub mod ensemble;
 pub mod error;
 pub mod front;
 pub mod limits;

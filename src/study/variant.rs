@@ -47,7 +47,8 @@ fn with(scene: &Scene, series: &Series, frac: f64) -> Result<Scene, NoPlan> {
     }
     overrides.extend(series.settings.iter().cloned());
     overrides.push(format!("model.frac={frac:?}"));
-    Scene::parse(&scene.name, &scene.text, &overrides)
+    scene
+        .overridden(&overrides)
         .map_err(|rejection| NoPlan::Rejected(Box::new(rejection)))
 }
 

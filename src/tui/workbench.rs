@@ -16,6 +16,7 @@ use super::terminal::Terminal;
 use crate::record::interrupt::{Interrupt, Signal};
 use crate::scene::Scene;
 use crate::session::frames::Wants;
+use crate::session::start::is_ready;
 use crate::session::worker::{Keep, Order, Worker};
 use crate::session::{Options, RunError, Session};
 
@@ -293,6 +294,12 @@ impl Workbench {
                     threads: self.threads,
                     ..Options::default()
                 };
+                if !is_ready(&scene, &options) {
+                    return Err(format!(
+                        "{name} starts from a sample that has to be prepared first, which takes a \
+                         while: leave and open it with `ballast {name}`, which shows how far it is"
+                    ));
+                }
                 Session::open(scene, options)
                     .map(|session| (session, pace))
                     .map_err(|e| e.to_string())

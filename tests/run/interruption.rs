@@ -213,3 +213,27 @@ fn names_with_blanks_come_back_quoted() {
         "blanks and quotes",
     );
 }
+
+#[test]
+fn an_ensemble_saves_every_run_and_what_they_have_in_common() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let folder = folder.path();
+    run(
+        folder,
+        &format!("{} --seed 1 --csv whole.csv", scenes::LONG),
+    );
+    let words = ["--seeds", "1..3", "--threads", "2", "--csv", "x.csv"];
+    let output = interrupted(folder, &words, "TERM", "x-seed1.csv");
+    let message = said(&output);
+    assert_eq!(output.status.code(), Some(143), "{message}");
+    for hint in ["seed 1: SIGTERM", "seed 2: SIGTERM", "not begun: 3"] {
+        assert!(message.contains(hint), "no `{hint}` in {message}");
+    }
+    assert!(text(folder, "x.csv").starts_with("cycle,time,stage,row,n,"));
+    let line = message
+        .lines()
+        .find(|line| line.contains("x-seed1.ballast"));
+    obey(folder, line.expect("it says how to go on"), "");
+    let (a, b) = (bytes(folder, "x-seed1.csv"), bytes(folder, "whole.csv"));
+    assert_same(&a, &b, "seed 1 goes on");
+}

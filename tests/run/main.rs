@@ -3,6 +3,7 @@
 
 mod definitions;
 mod dumps;
+mod ensemble;
 mod failure;
 mod interruption;
 mod overrides;
@@ -12,6 +13,7 @@ mod repetition;
 mod replay;
 mod resumption;
 mod scenes;
+mod start;
 mod usage;
 
 use std::fs;

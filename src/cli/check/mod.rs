@@ -3,12 +3,13 @@
 mod generated;
 mod modelled;
 mod sizes;
+mod start;
 mod trial;
 
 use std::fmt::{self, Write};
 
-use super::output::{complain, load, print};
-use super::{BAD_INPUT, Check, FAILED};
+use super::output::{load, print, unopened};
+use super::{BAD_INPUT, Check};
 use crate::engine::World;
 use crate::engine::setup::TimeStepChoice;
 use crate::scene::Scene;
@@ -21,18 +22,25 @@ pub(super) fn check(options: &Check) -> u8 {
     let Some(scene) = load(&options.preset, &options.set) else {
         return BAD_INPUT;
     };
-    let session = match Session::open(scene.clone(), Options::default()) {
-        Ok(session) => session,
-        Err(error) => {
-            complain(&error.to_string());
-            return FAILED;
-        }
-    };
     let mut report = Report::default();
-    let world = session.world();
     let title = &scene.about.title;
     let colon = if title.is_empty() { "" } else { ": " };
     report.text = format!("{}{colon}{title}\n", scene.name);
+    match start::describe(&mut report, &scene) {
+        Err(status) => return status,
+        Ok(false) => {
+            written(&mut report, &scene, &options.preset);
+            return print(&report.finish());
+        }
+        Ok(true) => {}
+    }
+    let session = match Session::open(scene.clone(), Options::default()) {
+        Ok(session) => session,
+        Err(error) => return unopened(&error),
+    };
+    // With the sample, if there is one.
+    let scene = session.scene().clone();
+    let world = session.world();
     modelled::describe(&mut report, &scene, world);
     generated::describe(&mut report, &scene);
     sizes::describe(&mut report, &scene, world);

@@ -50,11 +50,11 @@ fn finish(session: &mut Session, files: &mut Files) -> Result<(), RunError> {
 }
 
 fn interrupted(session: &mut Session, options: &Run, files: &Files, signal: Signal) -> u8 {
-    let path = checkpoint(session, files);
+    let path = checkpoint(session, options, files);
     let rows = session.flush().and_then(|()| files.write_late(session));
     let saved = session
         .save_state(&path)
-        .and_then(|()| keep_journal(session, files));
+        .and_then(|()| keep_journal(session, options, files));
     if let Err(error) = saved {
         complain(&format!("{} could not be answered in full", signal.name));
         complain(&error.to_string());
@@ -82,7 +82,7 @@ fn failed(session: &mut Session, options: &Run, files: &Files, error: &RunError)
         return 0;
     }
     complain(&error.to_string());
-    let path = checkpoint(session, files);
+    let path = checkpoint(session, options, files);
     let kept = match error {
         RunError::Fault(_) => before_fault(session, files, &path),
         _ => {
@@ -95,7 +95,7 @@ fn failed(session: &mut Session, options: &Run, files: &Files, error: &RunError)
         None
     });
     // Each on its own: the journal may fit where the rows do not.
-    let (journal, rows) = (keep_journal(session, files), session.flush());
+    let (journal, rows) = (keep_journal(session, options, files), session.flush());
     for outcome in [journal, rows] {
         if let Err(later) = outcome
             && later.to_string() != error.to_string()
@@ -130,20 +130,22 @@ fn is_closed_pipe(error: &RunError) -> bool {
 }
 
 /// The journal is beside the CSV already; without one it goes to the current folder.
-fn keep_journal(session: &mut Session, files: &Files) -> Result<(), RunError> {
+fn keep_journal(session: &mut Session, options: &Run, files: &Files) -> Result<(), RunError> {
     if files.csv.is_none() {
-        session.write_journal(&home(session, "journal"))?;
+        session.write_journal(&home(session, options, "journal"))?;
     }
     Ok(())
 }
 
-fn checkpoint(session: &Session, files: &Files) -> PathBuf {
-    let home = || home(session, "ballast");
+fn checkpoint(session: &Session, options: &Run, files: &Files) -> PathBuf {
+    let home = || home(session, options, "ballast");
     files.checkpoint.clone().unwrap_or_else(home)
 }
 
-pub(super) fn home(session: &Session, ending: &str) -> PathBuf {
-    PathBuf::from(format!("{}.{ending}", session.scene().name))
+/// Where files go that no option names: to the current folder.
+pub(super) fn home(session: &Session, options: &Run, ending: &str) -> PathBuf {
+    let stem = options.stem.as_ref().unwrap_or(&session.scene().name);
+    PathBuf::from(format!("{stem}.{ending}"))
 }
 
 /// The command that goes on as this run would have.
@@ -171,7 +173,8 @@ fn resume_line(path: &Path, options: &Run) -> String {
             word(&value.to_string_lossy());
         }
     }
-    let threads = (options.threads > 1).then(|| options.threads.to_string());
+    let threads = options.threads.filter(|&threads| threads > 1);
+    let threads = threads.map(|threads| threads.to_string());
     for (option, value) in [
         ("--every", options.every.map(|seconds| seconds.to_string())),
         ("--cycles", options.cycles.map(|cycles| cycles.to_string())),

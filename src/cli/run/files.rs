@@ -101,7 +101,7 @@ impl Files {
 
     /// Makes them. A checkpoint is written at once: a path that cannot be written is better known
     /// now than after a night.
-    pub(super) fn open(&mut self, prepared: &mut Prepared) -> Result<(), RunError> {
+    pub(super) fn open(&mut self, prepared: &mut Prepared, options: &Run) -> Result<(), RunError> {
         let session = &mut prepared.session;
         let names = session.recording().names();
         if self.late {
@@ -123,7 +123,7 @@ impl Files {
             session.write_journal(journal)?;
         }
         let beside = self.csv.clone();
-        session.write_dumps(&beside.unwrap_or_else(|| home(session, "csv")));
+        session.write_dumps(&beside.unwrap_or_else(|| home(session, options, "csv")));
         self.save(session)
     }
 
@@ -148,7 +148,7 @@ impl Files {
 }
 
 /// Whether two paths are one file. Devices may be named as often as you like.
-fn same(a: &Path, b: &Path) -> bool {
+pub(super) fn same(a: &Path, b: &Path) -> bool {
     let is_device = |path: &Path| path.metadata().is_ok_and(|file| !file.is_file());
     !is_device(a) && whole(a) == whole(b)
 }

@@ -1,6 +1,7 @@
 //! `ballast run`: a preset or a journal, from beginning to end or from a checkpoint.
 
 mod conclude;
+mod ensemble;
 mod files;
 mod prepare;
 
@@ -10,8 +11,8 @@ use super::output::{complain, tell};
 use super::progress::Progress;
 use super::{BAD_INPUT, FAILED, Run};
 use crate::record::error::RecordError;
-use crate::record::interrupt::Interrupt;
-use crate::session::{Budget, Progress as Reached, RunError};
+use crate::record::interrupt::{Interrupt, Signal};
+use crate::session::{Budget, Progress as Reached, RunError, Session};
 use conclude::{End, conclude};
 use files::Files;
 use prepare::{Prepared, prepare};
@@ -32,43 +33,103 @@ pub(super) fn run(options: &Run) -> u8 {
             return FAILED;
         }
     };
-    let mut prepared = match prepare(options) {
+    if let Some(seeds) = options.seeds {
+        return ensemble::run(options, seeds, &interrupt);
+    }
+    let mut progress: Option<Progress> = None;
+    let mut sample: Option<Progress> = None;
+    let mut watch = |watched: Watched<'_>| match watched {
+        Watched::Preparing(session) => sample
+            .get_or_insert_with(|| Progress::of_sample(session, options.quiet))
+            .show(session),
+        Watched::Going(session) => {
+            if let Some(mut sample) = sample.take() {
+                sample.clear();
+            }
+            progress
+                .get_or_insert_with(|| Progress::new(session, options.cycles, options.quiet))
+                .show(session);
+        }
+        Watched::Ended => {
+            for shown in [&mut sample, &mut progress].into_iter().flatten() {
+                shown.clear();
+            }
+        }
+    };
+    one(options, &interrupt, &mut watch).status
+}
+
+/// How a run ended.
+struct Ran {
+    /// Exit status.
+    status: u8,
+    /// The run, unless it could not begin.
+    session: Option<Session>,
+}
+
+impl Ran {
+    fn never(status: u8) -> Self {
+        let session = None;
+        Self { status, session }
+    }
+}
+
+/// One run, from its preset to what is said at its end. `watch` sees it between batches, and its end
+/// before anything is said.
+fn one(options: &Run, interrupt: &Interrupt, watch: &mut dyn FnMut(Watched<'_>)) -> Ran {
+    let mut beat = |session: &Session| {
+        watch(Watched::Preparing(session));
+        interrupt.caught().is_none()
+    };
+    let mut prepared = match prepare(options, &mut beat) {
         Ok(prepared) => prepared,
-        Err(status) => return status,
+        Err(status) => {
+            watch(Watched::Ended);
+            let status = interrupt.caught().map_or(status, Signal::exit_status);
+            return Ran::never(status);
+        }
     };
     let mut files = match Files::choose(options, &prepared) {
         Ok(files) => files,
         Err(clash) => {
             complain(&clash);
-            return BAD_INPUT;
+            return Ran::never(BAD_INPUT);
         }
     };
     if options.every.is_some() && files.checkpoint.is_none() {
         tell("--every is without effect: no checkpoint is kept without --checkpoint or --csv FILE");
     }
-    match files.open(&mut prepared) {
+    match files.open(&mut prepared, options) {
         Ok(()) => {}
-        Err(RunError::Record(RecordError::ClosedPipe { .. })) => return 0,
+        Err(RunError::Record(RecordError::ClosedPipe { .. })) => return Ran::never(0),
         Err(error) => {
             complain(&error.to_string());
             let misfit = matches!(error, RunError::Record(RecordError::Resume { .. }));
-            return if misfit { BAD_INPUT } else { FAILED };
+            return Ran::never(if misfit { BAD_INPUT } else { FAILED });
         }
     }
-    let mut progress = Progress::new(&prepared.session, options.cycles, options.quiet);
-    let end = drive(
-        &mut prepared,
-        options,
-        &mut files,
-        &interrupt,
-        &mut progress,
-    );
-    progress.clear();
-    for notice in prepared.session.take_notices() {
+    let start = Instant::now();
+    let end = drive(&mut prepared, options, &mut files, interrupt, watch);
+    watch(Watched::Ended);
+    let mut session = prepared.session;
+    for notice in session.take_notices() {
         tell(&notice);
     }
-    let elapsed = progress.elapsed();
-    conclude(&mut prepared.session, options, &mut files, end, elapsed)
+    let status = conclude(&mut session, options, &mut files, end, start.elapsed());
+    Ran {
+        status,
+        session: Some(session),
+    }
+}
+
+/// What whoever shows progress is told.
+enum Watched<'a> {
+    /// The run that prepares its sample goes on.
+    Preparing(&'a Session),
+    /// The run goes on.
+    Going(&'a Session),
+    /// It has ended: messages may follow.
+    Ended,
 }
 
 /// Runs until the end, whatever it is.
@@ -77,7 +138,7 @@ fn drive(
     options: &Run,
     files: &mut Files,
     interrupt: &Interrupt,
-    progress: &mut Progress,
+    watch: &mut dyn FnMut(Watched<'_>),
 ) -> End {
     let Prepared {
         session, replay, ..
@@ -121,6 +182,6 @@ fn drive(
             }
             handed = Instant::now();
         }
-        progress.show(session);
+        watch(Watched::Going(session));
     }
 }

@@ -2,10 +2,11 @@
 
 use std::path::Path;
 
-use crate::cli::output::{complain, load, reject, tell};
-use crate::cli::{BAD_INPUT, FAILED, Run};
+use crate::cli::output::{complain, load, reject, tell, unopened};
+use crate::cli::{BAD_INPUT, Run};
 use crate::record::journal::{Journal, looks_like_journal};
 use crate::scene::Scene;
+use crate::session::start::Beat;
 use crate::session::{Options, Replay, Session};
 
 /// A session ready to run.
@@ -17,38 +18,64 @@ pub(super) struct Prepared {
 }
 
 /// Reads and checks everything; no file is touched. Answers the exit status if something is wrong.
-pub(super) fn prepare(options: &Run) -> Result<Prepared, u8> {
-    let mut set = options.set.clone();
-    set.extend(options.seed.map(|seed| format!("model.seed={seed}")));
+/// `beat` sees the run that prepares a sample, and ends it with false.
+pub(super) fn prepare(options: &Run, beat: &mut Beat<'_>) -> Result<Prepared, u8> {
+    let set = settings(options);
     let name = options.preset.as_deref().unwrap_or_default();
     let journal = journal(name)?;
     let prepared = match &options.resume {
         Some(path) => resume(path, options, journal.as_ref(), &set)?,
-        None => begin(name, options, journal.as_ref(), &set)?,
+        None => begin(name, options, journal.as_ref(), &set, beat)?,
     };
-    let session = &prepared.session;
-    if session.scene().stages.is_empty() && options.cycles.is_none() {
-        let wanted = match &prepared.replay {
-            None => Some(format!("{} has no [[stage]]", session.scene().name)),
-            Some(replay) if replay.end().is_none() => {
-                Some(format!("{name} has no end and its preset no [[stage]]"))
-            }
-            Some(_) => None,
-        };
-        if let Some(wanted) = wanted {
-            complain(&format!("{wanted}; say how far to run with --cycles N"));
-            return Err(BAD_INPUT);
-        }
-    }
+    let Prepared {
+        session, replay, ..
+    } = &prepared;
+    check_length(session.scene(), replay.as_ref(), name, options)?;
     Ok(prepared)
 }
 
-fn begin(
+/// Whether it is known how far to run.
+fn check_length(
+    scene: &Scene,
+    replay: Option<&Replay>,
     name: &str,
     options: &Run,
+) -> Result<(), u8> {
+    if !scene.stages.is_empty() || options.cycles.is_some() {
+        return Ok(());
+    }
+    let wanted = match replay {
+        None => format!("{} has no [[stage]]", scene.name),
+        Some(replay) if replay.end().is_none() => {
+            format!("{name} has no end and its preset no [[stage]]")
+        }
+        Some(_) => return Ok(()),
+    };
+    complain(&format!("{wanted}; say how far to run with --cycles N"));
+    Err(BAD_INPUT)
+}
+
+/// Reads and checks what many runs have in common, before the first begins: their scene.
+pub(super) fn foresee(options: &Run) -> Result<Scene, u8> {
+    let name = options.preset.as_deref().unwrap_or_default();
+    let (scene, replay) = read(name, journal(name)?.as_ref(), &settings(options))?;
+    check_length(&scene, replay.as_ref(), name, options)?;
+    Ok(scene)
+}
+
+/// `--set` and `--seed`, in this order.
+fn settings(options: &Run) -> Vec<String> {
+    let mut set = options.set.clone();
+    set.extend(options.seed.map(|seed| format!("model.seed={seed}")));
+    set
+}
+
+/// The scene of a preset or journal, and what to repeat.
+fn read(
+    name: &str,
     journal: Option<&Journal>,
     set: &[String],
-) -> Result<Prepared, u8> {
+) -> Result<(Scene, Option<Replay>), u8> {
     let scene = match journal {
         None => load(name, set).ok_or(BAD_INPUT)?,
         Some(journal) => {
@@ -65,17 +92,23 @@ fn begin(
         complain(&format!("{name}: {error}"));
         return Err(BAD_INPUT);
     }
-    let opened = Session::open(
-        scene,
-        Options {
-            threads: usize::from(options.threads),
-            ..Options::default()
-        },
-    );
-    let session = opened.map_err(|error| {
-        complain(&error.to_string());
-        FAILED
-    })?;
+    Ok((scene, replay))
+}
+
+fn begin(
+    name: &str,
+    options: &Run,
+    journal: Option<&Journal>,
+    set: &[String],
+    beat: &mut Beat<'_>,
+) -> Result<Prepared, u8> {
+    let (scene, replay) = read(name, journal, set)?;
+    let how = Options {
+        threads: options.threads.map_or(1, usize::from),
+        no_cache: options.no_cache,
+        ..Options::default()
+    };
+    let session = Session::open_watched(scene, how, beat).map_err(|error| unopened(&error))?;
     Ok(Prepared {
         session,
         replay,
@@ -111,7 +144,7 @@ fn resume(
         complain(&format!("{}: {message}", path.display()));
         BAD_INPUT
     };
-    let threads = usize::from(options.threads);
+    let threads = options.threads.map_or(1, usize::from);
     let session = Session::resume(path, threads).map_err(|error| {
         complain(&error.to_string());
         BAD_INPUT

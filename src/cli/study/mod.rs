@@ -7,6 +7,7 @@ mod report;
 use std::path::{Path, PathBuf};
 
 use super::output::{complain, load, print, reject, tell};
+use super::sample::with_sample;
 use super::{BAD_INPUT, FAILED, Study};
 use crate::record::interrupt::Interrupt;
 use crate::record::whole_file;
@@ -20,6 +21,11 @@ use progress::Progress;
 pub(super) fn study(options: &Study) -> u8 {
     let Some(scene) = load(&options.preset, &overrides(options)) else {
         return BAD_INPUT;
+    };
+    // Before signals are caught: nothing is lost while it is prepared.
+    let scene = match with_sample(scene, usize::from(options.threads), options.quiet) {
+        Ok(scene) => scene,
+        Err(status) => return status,
     };
     let Ok(interrupt) = Interrupt::install() else {
         complain("signals cannot be caught");

@@ -152,6 +152,7 @@ fn walls_and_particles_have_to_exist() {
         particles: vec![1, 2],
         regions: vec![],
         materials: vec![],
+        open: false,
     };
     let expression = Expression::parse("contact:1-2:n > 0 and wall:lfet:f1 > 0").unwrap();
     let mistake = expression.check(&names).unwrap_err();

@@ -11,6 +11,8 @@ pub struct Names {
     pub regions: Vec<String>,
     /// Material names in order.
     pub materials: Vec<String>,
+    /// Whether walls and particles come from a sample that is not known yet: then any may exist.
+    pub open: bool,
 }
 
 /// A name that is no column, or that nothing has.
@@ -26,6 +28,9 @@ pub struct UnknownColumn {
 impl Names {
     /// Whether there is a wall of this name.
     pub fn wall(&self, name: &str) -> Result<(), UnknownColumn> {
+        if self.open {
+            return Ok(());
+        }
         one_of("wall", &self.walls, name)
     }
 
@@ -47,7 +52,7 @@ impl Names {
 
     /// Whether there is a particle of this number.
     pub fn particle(&self, id: u32) -> Result<(), UnknownColumn> {
-        if self.particles.binary_search(&id).is_ok() {
+        if self.open || self.particles.binary_search(&id).is_ok() {
             return Ok(());
         }
         Err(UnknownColumn {

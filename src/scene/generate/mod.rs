@@ -81,7 +81,7 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
     // What is elsewhere wrong decides where there is room; columns may still name every particle.
     if draft.report.count() > 0 {
         let count: usize = wanted.asked.iter().flatten().sum();
-        for id in (draft.setup.particles.len() as u32 + 1..).take(count) {
+        for id in (draft.next_number()..).take(count) {
             draft.known.names.particles.push(id);
             draft.ever.particles.push(id);
         }
@@ -101,7 +101,7 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
     let (discs, placed) = fill::fill(&task, &mut chance);
     let generated = Generated::new(
         &reader.title,
-        draft.setup.particles.len() as u32 + 1,
+        draft.next_number(),
         region.area(),
         &sizes,
         &wanted.asked,
@@ -162,6 +162,7 @@ fn add(
         sound: true,
     };
     for disc in discs {
+        let number = draft.next_number();
         draft.setup.particles.push(ParticleSetup {
             at: disc.at,
             radius: disc.radius,
@@ -172,7 +173,6 @@ fn add(
             force: [0.0; 2],
             fixed: [false; 3],
         });
-        let number = draft.setup.particles.len() as u32;
         draft.known.names.particles.push(number);
         draft.ever.particles.push(number);
         draft.particles.push(mark);

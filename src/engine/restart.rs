@@ -1,0 +1,156 @@
+//! A world as the start of another scene: what is taken along, and counting from zero.
+//!
+//! Whatever else belongs to the state of an assembly and not to one run of it has its place in
+//! [`World::particles_at_rest`], [`World::walls_at_rest`] and [`World::reopen`], and nowhere else.
+
+use super::World;
+use super::auto_step::StepChanges;
+use super::fault::Fault;
+use super::ledger::Ledger;
+use super::setup::{ParticleSetup, Setup, WallSetup};
+use super::world::FraccMonitor;
+
+/// Number of the particle at place p, where the first ones have these numbers, ascending, and the
+/// others follow.
+pub(super) fn number(ids: &[u32], p: usize) -> u32 {
+    let follows = || ids.last().unwrap_or(&0) + (p - ids.len()) as u32 + 1;
+    ids.get(p).copied().unwrap_or_else(follows)
+}
+
+impl World {
+    /// Builds the world of a setup, particles numbered from 1, and evaluates its first forces.
+    pub fn build(setup: Setup, threads: usize) -> Result<Self, Fault> {
+        Self::build_numbered(setup, &[], threads)
+    }
+
+    /// The particles as they are placed, with their numbers and the indices of their materials here:
+    /// at rest, with the forces that were applied to them, and fixed as they were.
+    pub fn particles_at_rest(&self) -> Vec<(u32, ParticleSetup)> {
+        let p = &self.particles;
+        let particle = |k: usize| ParticleSetup {
+            at: self.position(k),
+            radius: p.row[k].radius,
+            material: usize::from(p.material[k]),
+            velocity: [0.0; 2],
+            spin: 0.0,
+            angle: p.row[k].angle,
+            force: p.applied[k],
+            fixed: p.fixed[k],
+        };
+        (0..p.len()).map(|k| (p.id[k], particle(k))).collect()
+    }
+
+    /// The walls where they are, at rest.
+    pub fn walls_at_rest(&self) -> Vec<WallSetup> {
+        let outer = |x: [f64; 2]| [x[0] + self.origin[0], x[1] + self.origin[1]];
+        let walls = self.walls.iter().map(|wall| WallSetup {
+            name: wall.name.clone(),
+            material: wall.material,
+            point: outer(wall.point),
+            direction: wall.direction,
+            h1: wall.h1,
+            h2: wall.h2,
+            velocity: [0.0; 2],
+            angular_velocity: 0.0,
+            about: outer(wall.about),
+        });
+        walls.collect()
+    }
+
+    /// A world that was read from a checkpoint goes on as the start of another run: nothing of its
+    /// state changes, but cycles, time and energies are counted from zero. What `setup` chooses
+    /// otherwise than the world, of damping, gravity, step, rotation and friction, is changed as a
+    /// command would. `None` if the memory of its contacts does not fit.
+    ///
+    /// Law, body and stiffnesses are to be those of the world; with `setup.ledger` it must have
+    /// booked energies.
+    pub fn reopen(mut self, setup: &Setup, threads: usize) -> Option<Self> {
+        if !setup.ledger {
+            self.ledger = None;
+        }
+        self.model.ledger = setup.ledger;
+        if !self.unpack(threads) {
+            return None;
+        }
+        self.cycle = 0;
+        self.since = (0.0, 0);
+        self.fracc = FraccMonitor::default();
+        self.step_changes = StepChanges::default();
+        self.next_id = self.particles.id.last().map_or(1, |id| id + 1);
+        self.adopt(setup);
+        if setup.ledger {
+            self.ledger = Some(Ledger::default());
+            self.open_ledger();
+        }
+        Some(self)
+    }
+
+    /// Where nothing differs no bit changes.
+    fn adopt(&mut self, setup: &Setup) {
+        self.adopt_materials(setup);
+        let model = &mut self.model;
+        model.fracc_every = setup.fracc_every;
+        model.overlap_allowed = setup.overlap_allowed;
+        if model.damping != setup.damping {
+            self.set_damping(setup.damping);
+        }
+        if self.model.gravity != setup.gravity {
+            self.set_gravity(setup.gravity);
+        }
+        if self.model.rotation != setup.rotation {
+            self.set_rotation(setup.rotation);
+        }
+        if self.model.time_step != setup.time_step {
+            self.set_time_step(setup.time_step);
+        }
+        if self.model.frac != setup.frac && setup.frac_auto.is_none() {
+            self.set_frac(setup.frac);
+        }
+        if self.model.frac_auto != setup.frac_auto {
+            self.set_frac_auto(setup.frac_auto);
+        }
+    }
+
+    /// Friction, cohesion and rolling friction of materials and pairs by name; materials that only the
+    /// setup has come last.
+    fn adopt_materials(&mut self, setup: &Setup) {
+        let mut materials = self.model.materials.clone();
+        for new in &setup.materials {
+            match materials.iter_mut().find(|old| old.name == new.name) {
+                Some(old) => old.clone_from(new),
+                None => materials.push(new.clone()),
+            }
+        }
+        let place = |name: &str| materials.iter().position(|m| m.name == name);
+        let mut pairs = setup.pairs.clone();
+        for pair in &mut pairs {
+            pair.materials = pair.materials.map(|k| {
+                let here = place(&setup.materials[k].name);
+                here.expect("every material of the setup is in the list now")
+            });
+        }
+        // Those of walls with a friction of their own were made by commands.
+        let own = |k: usize| materials[k].name.contains('@');
+        let made = self.model.pairs.iter();
+        let made = made.filter(|pair| pair.materials.iter().any(|&k| own(k)));
+        pairs.extend(made.cloned());
+        if materials != self.model.materials || pairs != self.model.pairs {
+            self.change_materials(|model| {
+                model.materials = materials;
+                model.pairs = pairs;
+            });
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_kept_and_new_ones_follow() {
+        let numbers = |ids: &[u32], n| (0..n).map(|p| number(ids, p)).collect::<Vec<u32>>();
+        assert_eq!(numbers(&[], 3), [1, 2, 3]);
+        assert_eq!(numbers(&[2, 5], 4), [2, 5, 6, 7]);
+    }
+}
