@@ -215,3 +215,117 @@ fn what_makes_no_sense_is_refused_before_any_file() {
     );
     assert!(folder.join(own).exists());
 }
+
+/// Discs at random that fall: every seed another heap.
+const RANDOM: &str = r#"
+[model]
+body = "disc"
+gravity = [0, -9.81]
+[material.m]
+density = 1000.0
+normal_stiffness = 1e6
+[[generate]]
+in = { rectangle = { min = [0, 0], max = [1, 1] } }
+material = "m"
+grading = [{ radius = 0.05, count = 20 }]
+[[wall]]
+name = "floor"
+material = "m"
+from = [-1, 0]
+to = [2, 0]
+[history]
+every = 50
+columns = ["kinetic", "contacts"]
+[[stage]]
+name = "fall"
+until = "contacts >= 4"
+max_cycles = 5000
+check_every = 10
+[[stage]]
+name = "on"
+max_cycles = 120
+"#;
+
+#[test]
+fn the_table_is_what_the_files_of_the_seeds_give() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let folder = folder.path();
+    fs::write(folder.join("p.toml"), RANDOM).expect("it can be written");
+    let message = said(&run(folder, "p.toml --seeds 1..5 --csv x.csv"));
+    assert!(!message.contains("nothing in this preset is random"));
+    // Stage and row within it: the values of the seeds that have it.
+    let mut values: BTreeMap<(String, usize), Vec<f64>> = BTreeMap::new();
+    let mut lengths = Vec::new();
+    for seed in 1..=5 {
+        let own = columns(&text(folder, &format!("x-seed{seed}.csv")));
+        let mut row = BTreeMap::new();
+        for (stage, kinetic) in own["stage"].iter().zip(&own["kinetic"]) {
+            let k = row.entry(stage.clone()).or_insert(0);
+            let place = values.entry((stage.clone(), *k)).or_default();
+            place.push(number(kinetic));
+            *k += 1;
+        }
+        lengths.push(row["fall"]);
+    }
+    lengths.sort_unstable();
+    assert!(lengths[0] < lengths[4], "the heaps differ: {lengths:?}");
+    let table = columns(&text(folder, "x.csv"));
+    assert_eq!(table["row"].len(), values.len());
+    for (k, stage) in table["stage"].iter().enumerate() {
+        let of = |name: &str| number(&table[name][k]);
+        let place = (stage.clone(), of("row") as usize);
+        let x = &values[&place];
+        let n = x.len() as f64;
+        let mean = x.iter().sum::<f64>() / n;
+        let squares: f64 = x.iter().map(|x| (x - mean) * (x - mean)).sum();
+        let sd = (squares / (n - 1.0)).sqrt();
+        let smallest = x.iter().copied().fold(f64::INFINITY, f64::min);
+        let largest = x.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        assert_eq!(
+            (of("n"), of("kinetic:min"), of("kinetic:max")),
+            (n, smallest, largest)
+        );
+        assert!(
+            (of("kinetic:mean") - mean).abs() <= 1e-14 * largest,
+            "{place:?}"
+        );
+        let spread = of("kinetic:sd");
+        assert!(
+            (spread - sd).abs() <= 1e-13 * largest || spread.is_nan() && n < 2.0,
+            "{place:?}"
+        );
+    }
+    // The mean over seeds of an expectation is that of the last rows; its band decides.
+    let last = |seed: u64| {
+        let own = columns(&text(folder, &format!("x-seed{seed}.csv")));
+        number(own["kinetic"].last().expect("there are rows"))
+    };
+    let mean = (2..=4).map(last).sum::<f64>() / 3.0;
+    for (value, status, verdict) in [(mean, 0, "1 PASS"), (1.001 * mean, 3, "1 FAIL")] {
+        let expect = format!(
+            "{RANDOM}[[expect]]\nwhat = \"last(kinetic)\"\nseeds = \"2..4\"\nvalue = {value:?}\n\
+             within_rel = 1e-12\n"
+        );
+        fs::write(folder.join("q.toml"), expect).expect("it can be written");
+        let output = super::ballast(folder, &["verify", "q.toml", "--threads", "2"]);
+        let told = String::from_utf8_lossy(&output.stdout).into_owned() + &said(&output);
+        assert_eq!(output.status.code(), Some(status), "{told}");
+        assert!(told.contains(verdict), "{told}");
+    }
+}
+
+#[test]
+fn each_seed_starts_from_a_sample_of_its_own() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let folder = folder.path();
+    fs::write(folder.join("sample.toml"), RANDOM).expect("it can be written");
+    let (head, _) = RANDOM.split_once("[[generate]]").expect("it generates");
+    let (_, tail) = RANDOM.split_once("[history]").expect("it has a history");
+    let start = format!("{head}[start]\npreset = \"sample.toml\"\n[history]{tail}");
+    fs::write(folder.join("p.toml"), start).expect("it can be written");
+    run(folder, "p.toml --no-cache --seeds 1..2 --csv x.csv");
+    let (a, b) = (text(folder, "x-seed1.csv"), text(folder, "x-seed2.csv"));
+    assert!(a != b, "other seeds, other samples");
+    run(folder, "p.toml --no-cache --seed 2 --csv alone.csv");
+    assert_same(&bytes(folder, "alone.csv"), b.as_bytes(), "seed 2 alone");
+}
