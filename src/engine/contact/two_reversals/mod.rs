@@ -325,6 +325,8 @@ impl TwoReversals {
 
     /// Memory that carries this force [N] at this overlap on the virgin curve; no more than μN.
     pub fn seed(&self, overlap: f64, force: f64) -> Reversals {
+        // A listed pair may be apart.
+        let overlap = overlap.max(0.0);
         let limit = self.size(overlap).limit;
         Reversals {
             overlap,
@@ -341,6 +343,11 @@ mod tests {
     /// μN = 1 and sliding displacement 1 at overlap 1.
     fn law() -> TwoReversals {
         TwoReversals::new(0.75, 0.75 / 4.0, 1.0, 1.0)
+    }
+
+    #[test]
+    fn a_pair_apart_remembers_nothing() {
+        assert_eq!(law().seed(-0.5, 0.0), Reversals::default());
     }
 
     #[test]
