@@ -150,7 +150,26 @@ fn cached(folder: &Path) -> Vec<String> {
 fn a_whole_state_goes_on_to_the_same_bits() {
     let folder = tempfile::tempdir().expect("a folder");
     let folder = folder.path();
+    for law in [
+        "linear",
+        "hertz-mindlin",
+        "mindlin-deresiewicz",
+        "mindlin-deresiewicz-exact",
+    ] {
+        goes_on(folder, law);
+    }
+}
+
+fn goes_on(folder: &Path, law: &str) {
     write(folder, "from = \"s.ballast\"\nkeep = \"all\"\n");
+    for name in ["sample.toml", "p.toml"] {
+        let chosen = format!("[model]\nlaw = \"{law}\"\ntime_step = 2e-5");
+        put(
+            folder,
+            name,
+            &text(folder, name).replacen("[model]", &chosen, 1),
+        );
+    }
     run(folder, "sample.toml --csv whole.csv");
     let whole = text(folder, "whole.csv");
     let whole = states(&whole);
@@ -158,11 +177,9 @@ fn a_whole_state_goes_on_to_the_same_bits() {
     run(folder, "p.toml --csv a.csv");
     let a = text(folder, "a.csv");
     assert_eq!(states(&a), whole[300..], "from a checkpoint");
-    put(
-        folder,
-        "p.toml",
-        &after("preset = \"sample.toml\"\nstage = \"fall\"\nkeep = \"all\"\n"),
-    );
+    let preset = "preset = \"sample.toml\"\nstage = \"fall\"";
+    let changed = text(folder, "p.toml").replace("from = \"s.ballast\"", preset);
+    put(folder, "p.toml", &changed);
     run(folder, "p.toml --csv b.csv --threads 2");
     assert_same(
         &bytes(folder, "b.csv"),
@@ -193,7 +210,9 @@ fn particles_at_rest_take_the_law_of_the_preset() {
     let law = "--set material.grain.normal_stiffness=3e6";
     run(folder, &format!("p.toml {law} --csv stiff.csv"));
     let hertz = "--set model.law=hertz-mindlin";
-    run(folder, &format!("p.toml {hertz} --csv hertz.csv"));
+    let message = said(&run(folder, &format!("p.toml {hertz} --csv hertz.csv")));
+    assert!(message.contains("let it come to rest"), "{message}");
+    assert!(!said(&run(folder, "p.toml")).contains("let it come to rest"));
     for name in ["stiff.csv", "hertz.csv"] {
         let table = text(folder, name);
         for column in ["particle:1:x", "particle:7:y", "contact:1-floor:alpha"] {
@@ -430,5 +449,47 @@ to = [1, 0]
         "1 wall",
     ] {
         assert!(told.contains(hint), "no `{hint}` in {told}");
+    }
+}
+
+#[test]
+fn a_sample_may_start_from_a_sample_and_studies_compare_laws_on_one() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let folder = folder.path();
+    write(folder, "preset = \"second.toml\"\n");
+    put(
+        folder,
+        "second.toml",
+        &after("preset = \"sample.toml\"\nstage = \"fall\"\n"),
+    );
+    let words = "--set stage.press.do=[]";
+    run(folder, &format!("p.toml {words} --csv a.csv"));
+    assert_eq!(cached(folder).len(), 2);
+    run(folder, &format!("p.toml {words} --csv b.csv"));
+    assert_same(
+        &bytes(folder, "b.csv"),
+        &bytes(folder, "a.csv"),
+        "both from the cache",
+    );
+    assert_eq!(cached(folder).len(), 2);
+    run(folder, &format!("p.toml {words} --no-cache --csv c.csv"));
+    assert_same(
+        &bytes(folder, "c.csv"),
+        &bytes(folder, "a.csv"),
+        "both prepared",
+    );
+    let check = ballast(folder, &format!("check p.toml {words}"));
+    let told = String::from_utf8_lossy(&check.stdout).into_owned();
+    assert!(
+        told.contains("24 particles") && !told.contains("prepared when"),
+        "{told}"
+    );
+    // The law and nothing else differs: the particles begin at the same places.
+    let laws = "--law linear,hertz-mindlin,hertz --frac 0.1 --for kinetic";
+    let study = ballast(folder, &format!("study p.toml {words} {laws}"));
+    assert_eq!(study.status.code(), Some(0), "{}", said(&study));
+    let told = String::from_utf8_lossy(&study.stdout).into_owned();
+    for law in ["linear", "hertz-mindlin", "hertz"] {
+        assert!(told.contains(law), "no {law} in {told}");
     }
 }

@@ -41,7 +41,7 @@ impl<'s> Entry<'s> {
         let held = held(&state).ok()?;
         let same = held.journal.preset_text == self.run.text
             && held.stage + 1 == self.run.stages.len()
-            && held.journal.overrides.ends_with(&self.run.overrides);
+            && settings(&held.journal.overrides).eq(settings(&self.run.overrides));
         // Used again, it stays longer. Where that cannot be noted it goes some day, that is all.
         drop(std::fs::File::open(path).and_then(|file| file.set_modified(SystemTime::now())));
         same.then_some(state)
@@ -59,6 +59,12 @@ impl<'s> Entry<'s> {
         tidy(folder);
         Ok(())
     }
+}
+
+/// Overrides less those about the sample's own sample, which journals write with whole paths.
+fn settings(overrides: &[String]) -> impl Iterator<Item = &String> {
+    let about = |set: &&String| set.trim_start().starts_with("start.");
+    overrides.iter().filter(move |set| !about(set))
 }
 
 /// Everything that decides the sample, in one name. The program counts with its sources: a sample that

@@ -6,43 +6,40 @@ use crate::engine::World;
 use crate::engine::setup::Material;
 use crate::scene::{Scene, Trouble};
 
-/// The first reason why it cannot.
+/// Why it cannot.
 pub(super) fn misfit(world: &World, scene: &Scene) -> Option<Trouble> {
+    let ledger = scene.setup.ledger && world.ledger().is_none();
+    let unbooked = "its run booked no energies, and this preset asks for some";
+    let what = change(world, scene).or_else(|| ledger.then(|| unbooked.to_owned()))?;
+    Some(trouble(
+        "keep",
+        format!("the state of the sample cannot go on here: {what}"),
+        "forces and memory of its contacts would mean something else",
+        "write keep = \"particles\": forces then follow anew from the overlaps, and the sample has to \
+         come to rest again",
+    ))
+}
+
+/// The first difference between a world and a scene that gives the same overlaps other forces.
+pub(super) fn change(world: &World, scene: &Scene) -> Option<String> {
     let (old, new) = (world.model(), &scene.setup);
-    let refuse = |what: String| {
-        Some(trouble(
-            "keep",
-            format!("the state of the sample cannot go on here: {what}"),
-            "forces and memory of its contacts would mean something else",
-            "write keep = \"particles\": forces then follow anew from the overlaps, and the sample \
-             has to come to rest again",
-        ))
-    };
-    for (what, same) in [
+    let model = [
         ("body", old.body == new.body),
         ("law", old.law == new.law),
         ("normal", old.normal == new.normal),
         ("unloading", old.unloading == new.unloading),
         ("nodes", old.nodes == new.nodes),
-    ] {
-        if !same {
-            return refuse(format!("model.{what} is another one"));
-        }
+    ];
+    if let Some((what, _)) = model.into_iter().find(|(_, same)| !same) {
+        return Some(format!("model.{what} is another one"));
     }
-    if new.ledger && world.ledger().is_none() {
-        return refuse("its run booked no energies, and this preset asks for some".into());
-    }
-    for material in &old.materials {
-        let name = material.name.as_str();
-        let Some(own) = new.materials.iter().find(|own| own.name == name) else {
-            // A wall with a friction of its own; or a material that nothing is made of.
-            continue;
-        };
-        if let Some(what) = difference(material, own) {
-            return refuse(format!("material.{name}.{what} is another one"));
-        }
-    }
-    None
+    old.materials.iter().find_map(|material| {
+        let name = &material.name;
+        // What has no counterpart is a wall with a friction of its own, or nothing is made of it.
+        let own = new.materials.iter().find(|own| own.name == *name)?;
+        let what = difference(material, own)?;
+        Some(format!("material.{name}.{what} is another one"))
+    })
 }
 
 /// What of the stiffness or mass of a material differs.

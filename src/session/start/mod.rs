@@ -87,7 +87,14 @@ fn resolve_at(
             .collect(),
         state,
     };
+    let keep = start.keep;
     let scene = scene.started(Arc::new(sample))?;
+    if let (Keep::Particles, Some(what)) = (keep, fit::change(&world, &scene)) {
+        notices.push(format!(
+            "the sample was made otherwise ({what}): forces follow anew from its overlaps, so let it \
+             come to rest before anything is measured"
+        ));
+    }
     Ok(Started { scene, notices })
 }
 

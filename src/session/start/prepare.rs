@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use super::super::{Budget, Options, Progress, RunError, Session};
-use super::{Beat, cache, place, resolve_at, trouble};
+use super::{Beat, cache, place, resolve, resolve_at, trouble};
 use crate::measure::columns::nearest;
 use crate::scene::catalogue::find;
 use crate::scene::{Keep, Scene, Source};
@@ -59,7 +59,10 @@ pub fn is_ready(scene: &Scene, options: &Options) -> bool {
     match preparation(scene) {
         Ok(Some(_)) if scene.sample.is_some() => true,
         Ok(Some(run)) => {
-            !options.no_cache && run.start.is_none() && cache::Entry::of(&run).read().is_some()
+            // Its own sample is read from the cache then, not prepared.
+            let own = is_ready(&run, options).then(|| resolve(run, options, &mut |_| false));
+            !options.no_cache
+                && matches!(own, Some(Ok(own)) if cache::Entry::of(&own.scene).read().is_some())
         }
         _ => true,
     }
