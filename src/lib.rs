@@ -5,6 +5,7 @@
 //!
 //! `cli -> study -> session -> {scene, record} -> language -> control -> measure -> engine`
 
+pub mod control;
 pub mod engine;
 pub mod language;
 pub mod measure;

@@ -77,7 +77,7 @@ pub(super) fn laws() -> u8 {
 pub(super) fn columns() -> u8 {
     let mut text = String::new();
     // Those that have no other name stand in the listing already.
-    let of_regions = assembly().filter(|row| row.is_regional() && row.is_global());
+    let of_regions = assembly().filter(|row| row.is_regional());
     let of_regions = of_regions.map(|row| ("region:NAME:", &row.card));
     let rows: Vec<[String; 3]> = listing()
         .into_iter()

@@ -1,6 +1,7 @@
 //! One contact for people: read only, no memory advances.
 
 use super::World;
+use super::boundary::straining::velocity;
 use super::pair::Pair;
 use super::wall_contact;
 
@@ -82,7 +83,16 @@ impl World {
                 (touch.v, a.spin * a.radius)
             }
         };
-        let v = [a.v[0] - u[0], a.v[1] - u[1]];
+        let mut v = [a.v[0] - u[0], a.v[1] - u[1]];
+        if let Some((rate, centre)) = self.flow() {
+            // Of the first body as seen from the second; walls stand outside the flow.
+            let d = match other {
+                Other::Particle(_) => g.e.map(|e| -g.distance * e),
+                Other::Wall(_) => [a.x[0] - centre[0], a.x[1] - centre[1]],
+            };
+            let flow = velocity(&rate, d);
+            v = [v[0] + flow[0], v[1] + flow[1]];
+        }
         let turn = if self.pass().tangential() { turn } else { 0.0 };
         Meeting {
             approach: v[0] * g.e[0] + v[1] * g.e[1],
@@ -102,7 +112,10 @@ impl World {
         match other {
             Other::Particle(j) => {
                 let b = &self.particles.row[j];
-                let d = [b.x[0] - a.x[0], b.x[1] - a.x[1]];
+                let mut d = [b.x[0] - a.x[0], b.x[1] - a.x[1]];
+                if let Some(cell) = self.cell() {
+                    d = cell.nearest(d);
+                }
                 (d[0] * d[0] + d[1] * d[1]).sqrt() - (a.radius + b.radius)
             }
             Other::Wall(w) => wall_contact::distance(&self.walls[w], a.x) - a.radius,

@@ -45,7 +45,12 @@ impl World {
                 &self.particles.row[i as usize],
                 &self.particles.row[j as usize],
             );
-            let d = [b.x[0] - a.x[0], b.x[1] - a.x[1]];
+            let mut d = [b.x[0] - a.x[0], b.x[1] - a.x[1]];
+            if let (Some(cell), Some(&image)) = (self.cell(), self.contacts.images.get(k)) {
+                // As the row of an image: shifted first.
+                let shift = cell.shift(image);
+                d = [0, 1].map(|k| (b.x[k] + shift[k]) - a.x[k]);
+            }
             let distance = (d[0] * d[0] + d[1] * d[1]).sqrt();
             let reach = a.radius + b.radius;
             return ContactState {
@@ -88,8 +93,15 @@ impl World {
     }
 
     /// Velocity [m/s] and spin [rad/s] of particle p at this boundary: the mean of the two half
-    /// steps around it. Needs [`World::settle`] before.
+    /// steps around it, and what an imposed flow adds. Needs [`World::settle`] before.
     pub fn velocity(&self, p: usize) -> ([f64; 2], f64) {
+        let (own, spin) = self.own_velocity(p);
+        let flow = self.flow_at(self.particles.row[p].x);
+        ([own[0] + flow[0], own[1] + flow[1]], spin)
+    }
+
+    /// The same beside the imposed flow.
+    pub fn own_velocity(&self, p: usize) -> ([f64; 2], f64) {
         let row = &self.particles.row[p];
         if self.first_kick {
             return (row.v, row.spin);
@@ -125,6 +137,13 @@ impl World {
 
     /// Gives particle p a velocity or spin at this boundary; a prescribed one keeps it.
     pub fn set_motion(&mut self, p: usize, motion: Motion) {
+        let motion = match motion {
+            Motion::Velocity(v) => {
+                let flow = self.flow_at(self.particles.row[p].x);
+                Motion::Velocity([v[0] - flow[0], v[1] - flow[1]])
+            }
+            Motion::Spin(_) => motion,
+        };
         self.booked(|world| world.give(p, motion));
     }
 
@@ -179,7 +198,7 @@ impl World {
     /// Prescribes (or frees) velocity 1, velocity 2 and spin of particle p at their present values.
     pub fn set_fixed(&mut self, p: usize, fixed: [bool; 3]) {
         self.booked(|world| {
-            let (v, spin) = world.velocity(p);
+            let (v, spin) = world.own_velocity(p);
             world.particles.fixed[p] = fixed;
             world.mobilise();
             world.give(p, Motion::Velocity(v));
@@ -392,7 +411,7 @@ impl World {
     }
 
     /// After a change of particles, walls or materials.
-    fn rework(&mut self) {
+    pub(super) fn rework(&mut self) {
         self.keeping_velocities(|world| {
             world.pairs = super::pair::PairTable::new(&world.model);
             world.relist();
@@ -420,12 +439,12 @@ impl World {
     /// at the boundary.
     pub(super) fn keeping_velocities(&mut self, change: impl FnOnce(&mut Self)) {
         let held: Vec<_> = (0..self.particles.len())
-            .map(|p| self.velocity(p))
+            .map(|p| self.own_velocity(p))
             .collect();
         change(self);
         for (p, &(v, spin)) in held.iter().enumerate() {
             // Where nothing changed the bits stay, too.
-            let now = self.velocity(p);
+            let now = self.own_velocity(p);
             if now.0 != v {
                 self.give(p, Motion::Velocity(v));
             }
@@ -436,7 +455,7 @@ impl World {
     }
 
     /// After a change that only touches effective masses.
-    fn reprepare(&mut self) {
+    pub(super) fn reprepare(&mut self) {
         let all: Vec<u32> = (0..self.contacts.len() as u32).collect();
         self.keep(&all);
     }

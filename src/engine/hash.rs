@@ -38,6 +38,9 @@ impl World {
                 hash.number(x);
             }
         }
+        if let Some(strain) = self.imposed_strain() {
+            strain.iter().flatten().for_each(|x| hash.number(*x));
+        }
         for (k, status) in self.contacts.status.iter().enumerate() {
             if *status == Status::Apart {
                 continue;

@@ -9,6 +9,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::World;
+use super::boundary::straining::velocity;
+use super::contact_report::Other;
 use super::motion::{self, Dragged};
 use super::neighbours::{Slot, Status};
 use super::setup::Gravity;
@@ -20,6 +22,8 @@ pub struct Ledger {
     accounts: Vec<Account>,
     /// Work of each wall.
     walls: Vec<f64>,
+    /// Work of the imposed flow.
+    flow: f64,
     /// Energy that commands put in.
     commands: f64,
     /// Sum of |work| booked so far.
@@ -151,7 +155,7 @@ impl World {
             total.add(account);
         }
         total.drag += self.pending_drag();
-        let work = total.work + ledger.walls.iter().sum::<f64>() + ledger.commands;
+        let work = total.work + ledger.walls.iter().sum::<f64>() + ledger.flow + ledger.commands;
         let e = self.energies();
         let stored = e.kinetic
             + e.rotational
@@ -269,6 +273,7 @@ impl World {
             self.book_driver(&mut ledger, p, &axes, 1);
         }
         self.book_walls(&mut ledger);
+        self.book_flow(&mut ledger);
         self.ledger = Some(ledger);
     }
 
@@ -294,6 +299,7 @@ impl World {
             self.book_driver(&mut ledger, p, &axes, 0);
         }
         self.book_walls(&mut ledger);
+        self.book_flow(&mut ledger);
         self.ledger = Some(ledger);
     }
 
@@ -332,6 +338,49 @@ impl World {
                 }
             }
             ledger.walls[w] += work;
+            ledger.turnover += work.abs();
+        }
+    }
+
+    /// Work of the imposed flow over half a step: it moves particles against the forces on them.
+    fn book_flow(&self, ledger: &mut Ledger) {
+        let Some((rate, centre)) = self.flow() else {
+            return;
+        };
+        let from_centre = |p: usize| {
+            let x = self.particles.row[p].x;
+            [x[0] - centre[0], x[1] - centre[1]]
+        };
+        let mut power = 0.0;
+        for k in 0..self.contacts.len() {
+            if self.contacts.status[k] == Status::Apart {
+                continue;
+            }
+            let Slot([fx, fy, ..]) = self.contacts.slots[k];
+            // Of the first body as seen from the second; walls stand outside the flow.
+            let d = match self.bodies(k) {
+                (_, Other::Particle(_)) => {
+                    let g = self.geometry(k);
+                    g.e.map(|e| -g.distance * e)
+                }
+                (p, Other::Wall(_)) => from_centre(p),
+            };
+            let v = velocity(&rate, d);
+            power -= fx * v[0] + fy * v[1];
+        }
+        for (p, body) in self.particles.body.iter().enumerate() {
+            let v = velocity(&rate, from_centre(p));
+            power -= body[0] * v[0] + body[1] * v[1];
+        }
+        let work = 0.5 * self.dt * power;
+        ledger.flow += work;
+        ledger.turnover += work.abs();
+    }
+
+    /// Work that the boundary does besides that of the forces on it [J].
+    pub(super) fn book_boundary(&mut self, work: f64) {
+        if let Some(ledger) = &mut self.ledger {
+            ledger.commands += work;
             ledger.turnover += work.abs();
         }
     }

@@ -5,6 +5,7 @@
 
 pub mod auto_step;
 pub mod bound;
+pub mod boundary;
 pub mod contact;
 pub mod contact_report;
 pub mod edit;
@@ -13,6 +14,7 @@ pub mod hash;
 pub mod ledger;
 pub mod motion;
 pub mod neighbours;
+mod origin;
 pub mod pair;
 pub mod particles;
 pub mod plan;

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+pub use super::boundary::straining::Tensor;
 pub use super::contact::laws::LawChoice;
 
 /// What a round particle is: decides mass, moment of inertia and thickness, never the law.
@@ -199,6 +200,32 @@ pub struct WallSetup {
     pub about: [f64; 2],
 }
 
+/// What holds an assembly together from outside.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub enum BoundarySetup {
+    /// A ring of boundary particles: everything outside a circle.
+    Ring {
+        /// Centre [m]; the imposed strain leaves it where it is.
+        centre: [f64; 2],
+        /// Radius [m].
+        radius: f64,
+        /// Whether boundary particles may turn.
+        turning: bool,
+    },
+    /// The walls: they move as lines of the strained plane would.
+    Walls {
+        /// Point [m] that the imposed strain leaves where it is.
+        centre: [f64; 2],
+    },
+    /// A periodic cell.
+    Cell {
+        /// Lower left corner [m].
+        corner: [f64; 2],
+        /// Its two edges [m].
+        edges: [[f64; 2]; 2],
+    },
+}
+
 /// Everything a world is built from.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Setup {
@@ -232,6 +259,10 @@ pub struct Setup {
     pub particles: Vec<ParticleSetup>,
     /// Walls, in the order of the preset.
     pub walls: Vec<WallSetup>,
+    /// What strain and stress are imposed by, if anything.
+    pub boundary: Option<BoundarySetup>,
+    /// Strain rate that the boundary imposes from the start [1/s].
+    pub strain_rate: Tensor,
     /// Halo within which a pair is listed [m]; `None`: a tenth of the smallest radius.
     pub tol: Option<f64>,
     /// FRACC is evaluated every so many cycles.

@@ -4,6 +4,7 @@
 //! velocities `v_{n-½}` belong together.
 
 use super::World;
+use super::boundary::{Boundary, straining};
 use super::contact::pass::View;
 use super::fault::Fault;
 use super::motion::{self, Dragged, Inputs, Watch};
@@ -32,11 +33,14 @@ impl World {
     }
 
     fn step(&mut self) -> Result<(), Fault> {
+        self.drive();
         self.depart();
+        self.drift();
         self.motion()?;
         for wall in &mut self.walls {
             wall.advance(self.dt);
         }
+        self.spread_load();
         // Weight belongs to the boundary like the contact forces.
         if matches!(self.model.gravity, Some(Gravity::Centripetal { .. })) {
             self.weigh();
@@ -137,10 +141,20 @@ impl World {
         self.find_neighbours()?;
         self.locate_walls()?;
         let mut pass = self.take_pass();
+        let (flow, cell) = (self.flow(), self.boundary.as_ref().and_then(Boundary::cell));
         let contacts = &mut self.contacts;
+        let (mut rows, mut pairs) = (&self.particles.row, &contacts.pairs);
+        if flow.is_some() || cell.is_some() {
+            let flow = flow.as_ref().map(|(rate, centre)| (rate, *centre));
+            self.seen.look(rows, flow, cell);
+            rows = &self.seen.rows;
+        }
+        if cell.is_some() {
+            pairs = &self.seen.pairs;
+        }
         let view = View {
-            rows: &self.particles.row,
-            pairs: &contacts.pairs,
+            rows,
+            pairs,
             wall_pairs: &contacts.walls,
             wall_touches: &contacts.touches,
             dt,
@@ -163,10 +177,12 @@ impl World {
             .iter()
             .map(|wall| self.reach_of(wall))
             .fold(0.0, f64::max);
+        let drifted = self.drift_past_walls();
         let contacts = &mut self.contacts;
-        contacts.wall_travel += moved * self.dt;
+        contacts.wall_travel += (moved + drifted) * self.dt;
         let made = contacts.rebuilds > 0;
-        let apart = |particle: f64, wall: f64| (2.0 * particle).max(particle + wall);
+        let nearer = contacts.stretch * contacts.reach;
+        let apart = |particle: f64, wall: f64| (2.0 * particle).max(particle + wall) + nearer;
         if made && apart(contacts.travel, contacts.wall_travel) < self.tol {
             return Ok(());
         }
@@ -186,11 +202,31 @@ impl World {
     pub(super) fn relist(&mut self) {
         let mut pass = self.take_pass();
         let mut contacts = std::mem::take(&mut self.contacts);
-        let old = contacts.rebuild(&self.particles, &self.walls, self.tol);
+        let old = contacts.rebuild(&self.particles, &self.walls, self.cell(), self.tol);
         self.contacts = contacts;
+        self.see();
         pass.relist(&old, self.room(), &|k| self.basis(k));
         self.contacts.give_back(old);
         self.put_pass(pass);
+    }
+
+    /// Rows and pairs as the contacts read them, where there is a cell.
+    pub(super) fn see(&mut self) {
+        if self.cell().is_some() {
+            let contacts = &self.contacts;
+            self.seen
+                .relist(self.particles.len(), &contacts.pairs, &contacts.images);
+        }
+    }
+
+    /// Largest speed with which the flow carries any particle past resting walls [m/s].
+    fn drift_past_walls(&self) -> f64 {
+        let Some((rate, centre)) = self.flow().filter(|_| !self.walls.is_empty()) else {
+            return 0.0;
+        };
+        let [low, high] = self.contacts.span;
+        let far = [0, 1].map(|k| (centre[k] - low[k]).abs().max((high[k] - centre[k]).abs()));
+        straining::size(&rate) * (far[0] * far[0] + far[1] * far[1]).sqrt()
     }
 
     /// Largest speed of any point of a wall that a particle can meet [m/s].

@@ -89,6 +89,13 @@ impl Wall {
         ]
     }
 
+    /// The middle of the wall, or the point P of one without end [m].
+    pub fn middle(&self) -> [f64; 2] {
+        let h = 0.5 * (self.h1 + self.h2);
+        let h = if h.is_finite() { h } else { 0.0 };
+        [0, 1].map(|k| self.point[k] + h * self.direction[k])
+    }
+
     /// Velocity of the point of the wall at x [m/s].
     pub fn velocity_at(&self, x: [f64; 2]) -> [f64; 2] {
         [

@@ -3,16 +3,19 @@
 use serde::{Deserialize, Serialize};
 
 use super::auto_step::StepChanges;
+use super::boundary::seen::Seen;
+use super::boundary::{Boundary, Straining};
 use super::contact::pass::ContactPass;
 use super::contact::quantities::BasisOwned;
 use super::fault::Fault;
 use super::ledger::Ledger;
 use super::neighbours::list::ContactList;
+use super::origin::far_origin;
 use super::pair::PairTable;
 use super::particles::{Inertia, Mobility, Particles};
 use super::plan::Plan;
 use super::restart::number;
-use super::setup::{Body, Gravity, ParticleSetup, Setup};
+use super::setup::{Body, Gravity, Setup};
 use super::threads::Threads;
 use super::time_step;
 use super::wall::Wall;
@@ -34,6 +37,9 @@ pub struct World {
     pub(super) first_kick: bool,
     pub(super) particles: Particles,
     pub(super) walls: Vec<Wall>,
+    pub(super) boundary: Option<Boundary>,
+    /// Flow that carries all particles along.
+    pub(super) continuum: Option<Straining>,
     pub(super) contacts: ContactList,
     pub(super) ledger: Option<Ledger>,
     /// Whether `particles.force` holds the sums of this boundary.
@@ -54,6 +60,8 @@ pub struct World {
     pub(super) misplaced: Option<Fault>,
     /// Memory of the contacts, filled only in a checkpoint.
     memory: Vec<u8>,
+    #[serde(skip)]
+    pub(super) seen: Seen,
     #[serde(skip)]
     pub(super) pass: Option<Box<dyn ContactPass>>,
     #[serde(skip)]
@@ -89,6 +97,10 @@ impl World {
         let [low, high] = particles.extent();
         let size = (high[0] - low[0]).max(high[1] - low[1]).max(0.0) + 2.0 * smallest;
         let pairs = PairTable::new(&setup);
+        let rate = setup.strain_rate;
+        let boundary = setup
+            .boundary
+            .map(|boundary| Boundary::new(boundary, origin, rate));
         let mut world = Self {
             pairs,
             origin,
@@ -103,6 +115,8 @@ impl World {
             misplaced: None,
             particles,
             walls,
+            boundary,
+            continuum: None,
             contacts: ContactList::default(),
             ledger: setup.ledger.then(Ledger::default),
             settled: false,
@@ -112,6 +126,7 @@ impl World {
             critical_above: f64::INFINITY,
             size,
             memory: Vec::new(),
+            seen: Seen::default(),
             pass: None,
             threads: Threads::new(threads),
             model: Setup {
@@ -121,6 +136,7 @@ impl World {
             },
         };
         world.join_walls();
+        world.found_ring();
         world.replan();
         world.retime();
         let sound = world.dt > 0.0 && world.dt.is_finite();
@@ -155,6 +171,7 @@ impl World {
         pass.relist(&old, self.room(), &|k| self.basis(k));
         let fits = pass.load(&std::mem::take(&mut self.memory));
         self.pass = Some(pass);
+        self.see();
         fits
     }
 
@@ -435,65 +452,6 @@ impl World {
                 let sum: f64 = self.particles.row.iter().map(|row| row.radius).sum();
                 2.0 * sum / self.particles.len() as f64
             }
-        }
-    }
-}
-
-/// Far from zero, coordinates lose the digits that overlaps need: a scene that lies further away
-/// than sixteen times its size is moved to the origin, exactly, by a multiple of a power of two.
-fn far_origin(particles: &[ParticleSetup]) -> [f64; 2] {
-    let mut origin = [0.0; 2];
-    for (axis, origin) in origin.iter_mut().enumerate() {
-        let low = particles
-            .iter()
-            .fold(f64::INFINITY, |m, p| m.min(p.at[axis] - p.radius));
-        let high = particles
-            .iter()
-            .fold(f64::NEG_INFINITY, |m, p| m.max(p.at[axis] + p.radius));
-        let (middle, size) = (0.5 * (low + high), high - low);
-        if middle.abs() > 16.0 * size && size > 0.0 {
-            let mut grain = 1.0f64;
-            while grain > size {
-                grain *= 0.5;
-            }
-            while grain < 0.5 * size {
-                grain *= 2.0;
-            }
-            *origin = (middle / grain).round() * grain;
-        }
-    }
-    origin
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn at(x: f64, y: f64) -> ParticleSetup {
-        ParticleSetup {
-            at: [x, y],
-            radius: 0.5,
-            material: 0,
-            velocity: [0.0; 2],
-            spin: 0.0,
-            angle: 0.0,
-            force: [0.0; 2],
-            fixed: [false; 3],
-        }
-    }
-
-    #[test]
-    fn far_scenes_move_exactly() {
-        assert_eq!(far_origin(&[at(0.3, 0.0), at(1.2, 0.0)]), [0.0, 0.0]);
-        let near = [0.3, 1.2];
-        let shift = 1_048_576.0;
-        let far = near.map(|x: f64| x + shift);
-        let [origin, _] = far_origin(&[at(far[0], 0.0), at(far[1], 0.0)]);
-        assert!(origin > 0.0);
-        // Nothing of the given coordinate is lost: adding the origin restores its bits.
-        for x in far {
-            assert_eq!((x - origin) + origin, x);
-            assert_eq!((x - origin) - (x - shift), shift - origin);
         }
     }
 }

@@ -3,9 +3,9 @@
 use super::definition::Definitions;
 use super::list::{COMMANDS, Card};
 use super::mistake::Mistake;
-use super::verbs::export;
+use super::verbs::{boundary, export};
 use super::words::{Words, quoted};
-use crate::engine::setup::Gravity;
+use crate::engine::setup::{BoundarySetup, Gravity};
 use crate::language::number::format as number;
 use crate::measure::columns::Partner;
 use std::fmt;
@@ -20,7 +20,9 @@ pub use super::verbs::history::HistoryChange;
 pub use super::verbs::particle::ParticleChange;
 pub use super::verbs::print::{Measure, Printout};
 pub use super::verbs::property::Property;
+pub use super::verbs::servo::ServoGoal;
 pub use super::verbs::solve::{Goal, Solve};
+pub use super::verbs::strain::Imposed;
 pub use super::verbs::wall::WallChange;
 
 /// Everything that can be asked of a session.
@@ -48,6 +50,16 @@ pub enum Command {
     Con1(f64),
     /// Sets the body force; `None` switches it off.
     Gravity(Option<Gravity>),
+    /// Chooses what strain and stress are imposed by; `None`: nothing.
+    Boundary(Option<BoundarySetup>),
+    /// Imposes a strain rate [1/s] by the boundary.
+    Strain(Imposed),
+    /// Lets every particle drift with a strain rate [1/s]; `None`: not any more.
+    Continuum(Option<Imposed>),
+    /// Imposes a stress [Pa] by the boundary.
+    Stress(Imposed),
+    /// Steers the boundary to a stress; `None`: not any more.
+    Servo(Option<ServoGoal>),
     /// Lets particles turn or not.
     Rotation(bool),
     /// Stops all motion.
@@ -133,6 +145,11 @@ impl Command {
         match self {
             Self::Create(_) => "create",
             Self::Delete(_) => "delete",
+            Self::Boundary(_) => "boundary",
+            Self::Strain(_) => "strain",
+            Self::Continuum(_) => "continuum",
+            Self::Stress(_) => "stress",
+            Self::Servo(_) => "servo",
             Self::Wall(..) => "wall",
             Self::Particle(..) => "particle",
             Self::Property(..) => "property",
@@ -179,18 +196,22 @@ impl fmt::Display for Command {
             Self::FracAuto(share) => write!(f, " auto {}", number(*share)),
             Self::Frac(value) | Self::Con1(value) => write!(f, " {}", number(*value)),
             Self::Damp(damper, value) => write!(f, " {damper} {}", number(*value)),
-            Self::Gravity(None) => f.write_str(" none"),
+            Self::Gravity(None) | Self::Continuum(None) => f.write_str(" none"),
             Self::Gravity(Some(Gravity::Uniform(g))) => write!(f, " {}", vector(*g)),
             Self::Gravity(Some(Gravity::Centripetal { towards, g })) => {
                 write!(f, " towards {} {}", vector(*towards), number(*g))
             }
+            Self::Boundary(boundary) => write!(f, " {}", boundary::line(boundary.as_ref())),
+            Self::Strain(imposed) => write!(f, " rate {imposed}"),
+            Self::Continuum(Some(imposed)) | Self::Stress(imposed) => write!(f, " {imposed}"),
+            Self::Servo(Some(goal)) => write!(f, " {goal}"),
             Self::Rotation(on) => f.write_str(if *on { " on" } else { " off" }),
             Self::Cycle(count) | Self::Step(count) => write!(f, " {count}"),
             Self::Solve(solve) => write!(f, "{solve}"),
             Self::Print(what) => write!(f, " {what}"),
             Self::InspectContact(i, Partner::Particle(j)) => write!(f, " contact {i}-{j}"),
             Self::InspectContact(i, Partner::Wall(wall)) => write!(f, " contact {i}-{wall}"),
-            Self::InspectOff => f.write_str(" off"),
+            Self::InspectOff | Self::Servo(None) => f.write_str(" off"),
             Self::History(change) => write!(f, "{change}"),
             Self::Export(what, file) => write!(f, " {}", export::line(what, file)),
             Self::Save(file) | Self::Restore(file) | Self::Journal(file) | Self::Source(file) => {

@@ -106,6 +106,7 @@ mod tests {
                 open: false,
             },
             definitions: Definitions::default(),
+            boundary: None,
         };
         complete(line, &known).candidates
     }
@@ -117,7 +118,10 @@ mod tests {
             ("PA", vec!["particle", "pause"]),
             ("wall ", vec!["left", "floor"]),
             ("wall f", vec!["floor"]),
-            ("wall left ", vec!["velocity", "spin", "from", "delete"]),
+            (
+                "wall left ",
+                vec!["velocity", "spin", "servo", "force", "from", "delete"],
+            ),
             ("wall left from 0 0 to 1 1 m", vec!["material"]),
             ("property g", vec!["glass"]),
             ("friction 0.3 pair glass ", vec!["glass", "\"soft clay\""]),

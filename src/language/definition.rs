@@ -54,8 +54,7 @@ impl Definitions {
     /// Names of all columns that have one of their own, a preset's first.
     pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
         let own = self.0.iter().map(|definition| definition.name.as_str());
-        let rows = assembly().filter(|row| row.is_global());
-        own.chain(rows.map(|row| row.card.name))
+        own.chain(assembly().map(|row| row.card.name))
     }
 
     /// Reads one more, which may name those before it. A mistake about the name has the whole text as

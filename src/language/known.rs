@@ -5,6 +5,7 @@ use super::command::{
 };
 use super::definition::Definitions;
 use super::mistake::{Mistake, shown};
+use crate::engine::setup::BoundarySetup;
 use crate::measure::columns::{Names, Partner, UnknownColumn, nearest};
 use std::ops::Range;
 
@@ -15,6 +16,8 @@ pub struct Known {
     pub names: Names,
     /// Columns that the preset makes.
     pub definitions: Definitions,
+    /// What strain and stress are imposed by.
+    pub boundary: Option<BoundarySetup>,
 }
 
 impl Known {
@@ -37,6 +40,17 @@ impl Known {
                 self.material(material.as_ref(), line)
             }
             Command::Wall(name, _) => self.wall(name, line),
+            Command::Strain(_) | Command::Servo(Some(_)) | Command::Stress(_) => {
+                self.a_boundary(command, line)
+            }
+            Command::Boundary(Some(_)) => match self.boundary {
+                Some(BoundarySetup::Cell { .. }) => Err(Mistake::new(
+                    "the assembly lies in a periodic cell",
+                    "a cell is there from the start to the end: leave [cell] out of the preset",
+                    0..line.len(),
+                )),
+                _ => Ok(()),
+            },
             Command::Particle(id, _) | Command::Print(Printout::Polygon(id)) => {
                 self.particle(*id, line)
             }
@@ -82,10 +96,22 @@ impl Known {
                 self.names.particles.extend(highest.checked_add(1));
             }
             Command::Delete(range) => self.names.particles.retain(|id| !range.contains(*id)),
+            Command::Boundary(boundary) => self.boundary = *boundary,
             Command::Wall(name, WallChange::Create { .. }) => self.names.walls.push(name.clone()),
             Command::Wall(name, WallChange::Delete) => self.names.walls.retain(|w| w != name),
             _ => {}
         }
+    }
+
+    fn a_boundary(&self, command: &Command, line: &str) -> Result<(), Mistake> {
+        if self.boundary.is_some() {
+            return Ok(());
+        }
+        Err(Mistake::new(
+            format!("there is no boundary for `{}`", command.card().name),
+            "add [boundary] or [cell] to the preset, or use the command boundary before",
+            0..line.len(),
+        ))
     }
 
     fn material(&self, name: Option<&String>, line: &str) -> Result<(), Mistake> {
@@ -142,6 +168,7 @@ mod tests {
                 open: false,
             },
             definitions: Definitions::default(),
+            boundary: None,
         }
     }
 
@@ -188,6 +215,10 @@ mod tests {
                 "there is no region `core`; the preset has no [[measure]] @ core",
             ),
             (
+                "strain rate 1 0 0 1",
+                "there is no boundary for `strain`; add [boundary] or [cell] to the preset, or use the command boundary before @ strain rate 1 0 0 1",
+            ),
+            (
                 "print polygon 7",
                 "there is no particle 7; they are numbered 1 to 3 @ 7",
             ),
@@ -210,6 +241,8 @@ mod tests {
             "wall lid from 0 0 to 1 0",
             "create at 0 0 radius 1",
             "particle 4 free",
+            "boundary circle 2",
+            "strain rate 1 0 0 1",
             "delete 1-3",
             "delete 4",
         ] {

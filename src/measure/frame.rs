@@ -86,12 +86,21 @@ impl Picture {
             ..Self::default()
         };
         let particles = world.particles();
+        let origin = world.origin();
+        // A particle that has left a periodic cell is drawn where it came in again.
+        let home = |x: [f64; 2]| match world.cell() {
+            None => x,
+            Some(cell) => {
+                let x = cell.home([x[0] - origin[0], x[1] - origin[1]]);
+                [x[0] + origin[0], x[1] + origin[1]]
+            }
+        };
         for p in 0..particles.len() {
             let (velocity, spin) = world.velocity(p);
             let row = &particles.row[p];
             picture.discs.push(Disc {
                 id: particles.id[p],
-                at: world.position(p),
+                at: home(world.position(p)),
                 radius: row.radius,
                 velocity,
                 spin,
@@ -107,7 +116,7 @@ impl Picture {
                 (i, Other::Particle(j)) => (i, Some(j), None),
                 (i, Other::Wall(w)) => (i, None, Some(w)),
             };
-            let from = world.position(first);
+            let from = home(world.position(first));
             let to = [0, 1].map(|axis| from[axis] + g.distance * g.e[axis]);
             let reach = second.map_or(0.0, |j| particles.row[j].radius);
             picture.touches.push(Touch {
@@ -135,6 +144,19 @@ impl Picture {
                 ends,
             });
         }
+        if let Some(cell) = world.cell() {
+            let corner = |n: i16, m: i16| {
+                let shift = cell.shift([n, m]);
+                [0, 1].map(|k| cell.corner[k] + shift[k] + origin[k])
+            };
+            let corners = [corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)];
+            for k in 0..4 {
+                picture.walls.push(Stroke {
+                    name: "cell".into(),
+                    ends: [corners[k], corners[(k + 1) % 4]],
+                });
+            }
+        }
         picture
     }
 }
@@ -151,8 +173,16 @@ fn bounds(world: &World) -> [[f64; 2]; 2] {
             }
         }
     };
-    for p in 0..world.particles().len() {
-        take(world.position(p), world.particles().row[p].radius);
+    if let Some(cell) = world.cell() {
+        for image in [[0, 0], [1, 0], [0, 1], [1, 1]] {
+            let shift = cell.shift(image);
+            let corner = [0, 1].map(|k| cell.corner[k] + shift[k] + world.origin()[k]);
+            take(corner, 0.0);
+        }
+    } else {
+        for p in 0..world.particles().len() {
+            take(world.position(p), world.particles().row[p].radius);
+        }
     }
     for wall in world
         .walls()

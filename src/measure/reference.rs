@@ -1,9 +1,11 @@
 //! The state that differences are measured from: displacements, rotations, strain, contacts broken
 //! and made.
 
+use nalgebra::Matrix2;
 use serde::{Deserialize, Serialize};
 
 use super::link::Link;
+use super::tensor::matrix;
 use crate::engine::World;
 use crate::engine::contact_report::Other;
 
@@ -22,6 +24,8 @@ pub struct Reference {
     walls: Vec<String>,
     /// Touching pairs of a particle, by its number, and a wall, by its place above; ascending.
     at_walls: Vec<(u32, u32)>,
+    /// Strain that the boundary had imposed.
+    imposed: [[f64; 2]; 2],
 }
 
 /// What a particle touched at the reference.
@@ -55,7 +59,13 @@ impl Reference {
             pairs,
             walls: world.walls().iter().map(|wall| wall.name.clone()).collect(),
             at_walls,
+            imposed: world.imposed_strain().unwrap_or_default(),
         }
+    }
+
+    /// Strain that the boundary had imposed then.
+    pub(super) fn imposed(&self) -> Matrix2<f64> {
+        matrix(self.imposed)
     }
 
     /// Position [m], in the coordinates the world computes in, and angle [rad] of a particle then;

@@ -3,12 +3,15 @@
 
 use std::cell::OnceCell;
 
+use nalgebra::Matrix2;
+
 use super::assembly::Assembly;
 use super::class::{self, Class};
 use super::columns::{Column, Partner, Read, ReadContact};
 use super::reference::Reference;
 use super::region::{Region, Shape};
 use super::regional::Regional;
+use super::tensor::matrix;
 use super::wall_force::WallForce;
 use crate::engine::World;
 use crate::engine::ledger::{Bookings, Energies};
@@ -70,6 +73,22 @@ impl<'a> Sample<'a> {
         self.reference
     }
 
+    /// Strain that the boundary has imposed since the reference, compression positive; NaN where
+    /// nothing imposes any.
+    pub fn imposed_strain(&self) -> Matrix2<f64> {
+        let now = self.world.imposed_strain();
+        let then = self
+            .reference
+            .map_or_else(Matrix2::zeros, Reference::imposed);
+        now.map_or(Matrix2::from_element(f64::NAN), |now| matrix(now) - then)
+    }
+
+    /// Strain rate that the boundary imposes [1/s]; NaN where nothing imposes any.
+    pub fn imposed_rate(&self) -> Matrix2<f64> {
+        let rate = self.world.imposed_rate();
+        rate.map_or(Matrix2::from_element(f64::NAN), matrix)
+    }
+
     /// Contact statistics of the whole assembly.
     pub fn assembly(&self) -> &Assembly {
         self.whole.assembly()
@@ -125,13 +144,12 @@ impl<'a> Sample<'a> {
     pub fn value(&self, column: &Column) -> f64 {
         match column {
             Column::Global(row) => match row.read {
-                Read::World(read) => read(self),
+                Read::World(read) | Read::Either(read, _) => read(self),
                 Read::Region(read) => read(self.regional()),
                 Read::Whole(read) => read(&self.whole),
-                Read::Named(_) => f64::NAN,
             },
             Column::Region(name, row) => match (self.region(name), row.read) {
-                (Some(region), Read::Region(read) | Read::Whole(read) | Read::Named(read)) => {
+                (Some(region), Read::Region(read) | Read::Whole(read) | Read::Either(_, read)) => {
                     read(region)
                 }
                 _ => f64::NAN,

@@ -97,6 +97,11 @@ pub(super) fn within(degrees: f64, period: f64) -> f64 {
     }
 }
 
+/// A tensor of the engine.
+pub(super) fn matrix([[a, b], [c, d]]: [[f64; 2]; 2]) -> Matrix2<f64> {
+    Matrix2::new(a, b, c, d)
+}
+
 /// Undefined quotients are NaN, never infinite.
 pub(super) fn ratio(a: f64, b: f64) -> f64 {
     if b == 0.0 { f64::NAN } else { a / b }

@@ -14,7 +14,7 @@ use super::start::{Given, Start};
 use super::study::Study;
 use super::{about::About, reader::Reader};
 use crate::engine::setup::{
-    Body, Damping, LawChoice, NormalForm, Setup, TimeStepChoice, Unloading,
+    Body, BoundarySetup, Damping, LawChoice, NormalForm, Setup, TimeStepChoice, Unloading,
 };
 use std::sync::Arc;
 
@@ -127,6 +127,8 @@ impl<'a> Draft<'a> {
                 pairs: Vec::new(),
                 particles: Vec::new(),
                 walls: Vec::new(),
+                boundary: None,
+                strain_rate: [[0.0; 2]; 2],
                 tol: None,
                 fracc_every: 1,
                 overlap_allowed: false,
@@ -176,6 +178,12 @@ impl<'a> Draft<'a> {
             );
         }
         found
+    }
+
+    /// Strain and stress are imposed by this.
+    pub(crate) fn set_boundary(&mut self, boundary: BoundarySetup) {
+        self.setup.boundary = Some(boundary);
+        self.known.boundary = Some(boundary);
     }
 
     /// Reports the name of a stage that is not there.

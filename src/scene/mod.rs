@@ -10,6 +10,8 @@ pub mod catalogue;
 
 mod about;
 mod answer;
+mod boundary;
+mod cell;
 mod damping;
 mod define;
 mod document;
@@ -77,6 +79,8 @@ const SECTIONS: &[Section] = &[
     particle::SECTION,
     wall::SECTION,
     generate::SECTION,
+    boundary::SECTION,
+    cell::SECTION,
     measure::SECTION,
     stage::SECTION,
     history::SECTION,

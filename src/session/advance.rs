@@ -77,6 +77,7 @@ impl Session {
         if self.world.cycle_number() == 0 {
             self.dump(false)?;
         }
+        self.steer();
         if let Err(fault) = self.world.cycle() {
             return Err(self.stopped(fault.into()));
         }

@@ -4,6 +4,7 @@ use super::Refusal;
 use super::figure::{figure, vector};
 use super::print::prescribed;
 use crate::engine::World;
+use crate::engine::boundary::Kind;
 use crate::engine::edit::Motion;
 use crate::engine::setup::{
     Damping, Dashpot, Material, PairOverride, ParticleSetup, Setup, WallSetup,
@@ -12,7 +13,7 @@ use crate::engine::wall::Wall;
 use crate::engine::wall_contact;
 use crate::language::Command;
 use crate::language::command::{
-    Create, Damper, FrictionOf, ParticleChange, ParticleRange, Property, WallChange,
+    Create, Damper, FrictionOf, Imposed, ParticleChange, ParticleRange, Property, WallChange,
 };
 
 /// Largest overlap of something new, as a fraction of the smaller radius.
@@ -52,6 +53,19 @@ pub(super) fn world(world: &mut World, command: &Command) -> Result<String, Refu
                 Some(_) => command.to_string(),
                 None => "no gravity".into(),
             })
+        }
+        Command::Boundary(boundary) => {
+            world.set_boundary(*boundary);
+            Ok(boundary_line(world))
+        }
+        Command::Strain(Imposed { tensor, over }) => {
+            world.set_strain_rate(*tensor, *over);
+            Ok(command.to_string() + " 1/s")
+        }
+        Command::Continuum(imposed) => {
+            let over = imposed.map_or(0, |imposed| imposed.over);
+            world.set_continuum(imposed.map(|imposed| imposed.tensor), over);
+            Ok(command.to_string())
         }
         Command::Rotation(on) => {
             world.set_rotation(*on);
@@ -181,7 +195,7 @@ fn wall(world: &mut World, name: &str, change: &WallChange) -> Result<String, Re
             world.delete_wall(w);
             return Ok(format!("wall {name} deleted"));
         }
-        WallChange::Create { .. } => {}
+        WallChange::Create { .. } | WallChange::Servo { .. } | WallChange::Force { .. } => {}
     }
     let wall = &world.walls()[w];
     Ok(format!(
@@ -387,5 +401,14 @@ fn pair_friction(model: &mut Setup, materials: [usize; 2], value: f64) {
             normal_stiffness: None,
             shear_stiffness: None,
         }),
+    }
+}
+
+fn boundary_line(world: &World) -> String {
+    match world.boundary().map(|boundary| &boundary.kind) {
+        None => "no boundary".into(),
+        Some(Kind::Ring(ring)) => format!("{} boundary particles", ring.members.len()),
+        Some(Kind::Walls) => "the walls are the boundary".into(),
+        Some(Kind::Cell(cell)) => format!("a periodic cell of {} m2", figure(cell.area())),
     }
 }

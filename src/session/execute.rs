@@ -1,7 +1,7 @@
 //! Carrying out a command: the only way anything changes a world.
 
 use super::course::Errand;
-use super::{Refusal, Session, change, print};
+use super::{Refusal, Session, print};
 use crate::language::command::{Export, Goal, HistoryChange, Printout};
 use crate::language::{COMMANDS, Command, Known};
 use crate::measure::reference::Reference;
@@ -72,6 +72,7 @@ impl Session {
         Known {
             names: self.names(),
             definitions: self.scene.definitions.clone(),
+            boundary: self.world.model().boundary,
         }
     }
 
@@ -174,7 +175,7 @@ impl Session {
             | Command::Export(..)
             | Command::Journal(_)
             | Command::Source(_) => self.keep(command),
-            other => change::world(&mut self.world, other).map(Reply::line),
+            other => self.change_world(other).map(Reply::line),
         }
     }
 

@@ -20,6 +20,7 @@ mod recording;
 mod replay;
 mod save;
 pub mod start;
+mod steer;
 mod tables;
 pub mod worker;
 
@@ -33,6 +34,7 @@ pub use replay::Replay;
 
 use std::path::PathBuf;
 
+use crate::control::Control;
 use crate::engine::World;
 use crate::measure::columns::Names;
 use crate::measure::reference::Reference;
@@ -46,6 +48,7 @@ use course::Course;
 pub struct Session {
     scene: Scene,
     world: World,
+    control: Control,
     course: Course,
     recording: Recording,
     journal: Journal,

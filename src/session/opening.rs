@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::course::Course;
 use super::{Recording, RunError, Session, start};
+use crate::control::Control;
 use crate::measure::reference::Reference;
 use crate::record::history::History;
 use crate::record::journal::{Journal, JournalWriter};
@@ -57,6 +58,7 @@ impl Session {
         Ok(Self {
             scene,
             world,
+            control: Control::default(),
             course: Course::default(),
             recording,
             journal,

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::course::Course;
 use super::{Recording, RunError, Session};
+use crate::control::Control;
 use crate::engine::World;
 use crate::language::{Command, Observable};
 use crate::measure::reference::Reference;
@@ -19,6 +20,7 @@ use crate::scene::Scene;
 struct Saved {
     journal: Journal,
     averages_only: bool,
+    control: Control,
     course: Course,
     recording: Recording,
     reference: Reference,
@@ -31,6 +33,7 @@ struct Saved {
 struct Saving<'a> {
     journal: &'a Journal,
     averages_only: bool,
+    control: &'a Control,
     course: &'a Course,
     recording: &'a Recording,
     reference: &'a Reference,
@@ -82,6 +85,7 @@ impl Session {
         let bytes = checkpoint::encode(&Saving {
             journal: &self.journal,
             averages_only: self.averages_only,
+            control: &self.control,
             course: &self.course,
             recording: &self.recording,
             reference: &self.reference,
@@ -153,6 +157,7 @@ impl Session {
         let Saved {
             journal,
             averages_only,
+            control,
             course,
             recording,
             reference,
@@ -180,6 +185,7 @@ impl Session {
         Ok(Self {
             scene,
             world,
+            control,
             course,
             recording,
             journal,
@@ -239,6 +245,7 @@ impl Session {
             user_errand: None,
             ..session.course
         };
+        self.control = session.control;
         self.world = session.world;
         self.recording = session.recording;
         self.averages_only = session.averages_only;

@@ -52,6 +52,8 @@ pub(crate) fn scene(material: Material) -> Setup {
         particles: vec![],
         walls: vec![],
         tol: None,
+        boundary: None,
+        strain_rate: [[0.0; 2]; 2],
         fracc_every: 1,
         overlap_allowed: true,
         ledger: true,

@@ -1,7 +1,7 @@
 //! Columns: every one in the list has a value, under every name it goes by.
 
 use ballast::engine::World;
-use ballast::engine::setup::{Body, LawChoice, TimeStepChoice};
+use ballast::engine::setup::{Body, BoundarySetup, LawChoice, TimeStepChoice};
 use ballast::measure::columns::{CONTACT, Card, Column, Kind, assembly, listing};
 use ballast::measure::reference::Reference;
 use ballast::measure::region::{Region, Shape};
@@ -13,6 +13,7 @@ use crate::packing::{built, compressed, run, setup, wall};
 fn every_listed_column_has_a_value() {
     let mut setup = compressed(6, 6);
     setup.ledger = true;
+    setup.boundary = Some(BoundarySetup::Walls { centre: [6.0; 2] });
     let mut world = built(setup);
     run(&mut world, 400);
     let reference = Reference::of(&world);

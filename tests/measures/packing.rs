@@ -69,6 +69,8 @@ pub(crate) fn setup(discs: &[Disc]) -> Setup {
         particles: discs.iter().map(particle).collect(),
         walls: vec![],
         tol: None,
+        boundary: None,
+        strain_rate: [[0.0; 2]; 2],
         fracc_every: 1,
         overlap_allowed: true,
         ledger: false,

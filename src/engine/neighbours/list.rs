@@ -3,8 +3,10 @@
 use serde::{Deserialize, Serialize};
 
 use super::grid::Grid;
+use super::periodic::Tiling;
 use super::{Slot, Status};
-use crate::engine::particles::{Particles, Sum};
+use crate::engine::boundary::cell::{Cell, HERE, Image};
+use crate::engine::particles::{Particles, Row, Sum};
 use crate::engine::wall::Wall;
 use crate::engine::wall_contact::{self, WallPair, WallTouch};
 
@@ -16,6 +18,8 @@ pub(in crate::engine) const NEW: u32 = u32::MAX;
 pub struct ContactList {
     /// Pairs of particle indices, lower first, ascending.
     pub pairs: Vec<[u32; 2]>,
+    /// Which image of the second particle each pair means; empty without a periodic cell.
+    pub images: Vec<Image>,
     /// Pairs of particle and wall, ascending.
     pub walls: Vec<WallPair>,
     /// Where the wall pairs stand now.
@@ -34,6 +38,10 @@ pub struct ContactList {
     pub travel: f64,
     /// No point of a wall near the assembly has moved further since then [m].
     pub wall_travel: f64,
+    /// No distance has been stretched by a larger share in the imposed flow since then.
+    pub(in crate::engine) stretch: f64,
+    /// Largest distance of centres in the list [m].
+    pub(in crate::engine) reach: f64,
     /// Times the list was made.
     pub rebuilds: u64,
     /// Whether any contact resists rolling.
@@ -49,12 +57,43 @@ pub struct ContactList {
 #[derive(Debug, Default)]
 struct Work {
     grid: Grid,
+    tiling: Tiling,
     pairs: Vec<[u32; 2]>,
+    images: Vec<Image>,
     walls: Vec<WallPair>,
     slots: Vec<Slot>,
     status: Vec<Status>,
     touches: Vec<WallTouch>,
     old: Vec<u32>,
+}
+
+impl Work {
+    fn pairs(&mut self, rows: &[Row], largest: f64, tol: f64) {
+        self.grid.fill(rows, 2.0 * largest + tol);
+        for p in 0..rows.len() {
+            let first = self.pairs.len();
+            let (a, pairs) = (&rows[p], &mut self.pairs);
+            self.grid.around(p, |q| {
+                let b = &rows[q];
+                let d = [b.x[0] - a.x[0], b.x[1] - a.x[1]];
+                let reach = a.radius + b.radius + tol;
+                if p < q && d[0] * d[0] + d[1] * d[1] < reach * reach {
+                    pairs.push([p as u32, q as u32]);
+                }
+            });
+            self.pairs[first..].sort_unstable();
+        }
+    }
+
+    fn periodic_pairs(&mut self, rows: &[Row], cell: &Cell, largest: f64, tol: f64) {
+        let (pairs, images) = (&mut self.pairs, &mut self.images);
+        let sizes = [largest, tol];
+        self.tiling
+            .pairs(&mut self.grid, cell, rows, sizes, |pair, image| {
+                pairs.push(pair);
+                images.push(image);
+            });
+    }
 }
 
 impl ContactList {
@@ -76,28 +115,30 @@ impl ContactList {
 
     /// Makes the list anew: everything nearer than `tol` [m]. Answers where each contact stood in
     /// the old list, in a buffer to be given back.
-    pub fn rebuild(&mut self, particles: &Particles, walls: &[Wall], tol: f64) -> Vec<u32> {
+    pub fn rebuild(
+        &mut self,
+        particles: &Particles,
+        walls: &[Wall],
+        cell: Option<&Cell>,
+        tol: f64,
+    ) -> Vec<u32> {
         let rows = &particles.row;
         let largest = rows.iter().fold(0.0, |most: f64, row| most.max(row.radius));
         let work = &mut self.work;
-        work.grid.fill(rows, 2.0 * largest + tol);
         work.pairs.clear();
+        work.images.clear();
         work.walls.clear();
         let [pairs, at_walls] = Self::room(rows.len());
         work.pairs.reserve(pairs);
         work.walls.reserve(at_walls);
-        for p in 0..rows.len() {
-            let first = work.pairs.len();
-            let (a, pairs) = (&rows[p], &mut work.pairs);
-            work.grid.around(p, |q| {
-                let b = &rows[q];
-                let d = [b.x[0] - a.x[0], b.x[1] - a.x[1]];
-                let reach = a.radius + b.radius + tol;
-                if p < q && d[0] * d[0] + d[1] * d[1] < reach * reach {
-                    pairs.push([p as u32, q as u32]);
-                }
-            });
-            work.pairs[first..].sort_unstable();
+        match cell {
+            None => work.pairs(rows, largest, tol),
+            Some(cell) => {
+                work.images.reserve(pairs);
+                work.periodic_pairs(rows, cell, largest, tol);
+            }
+        }
+        for (p, a) in rows.iter().enumerate() {
             for (w, wall) in walls.iter().enumerate() {
                 if wall_contact::distance(wall, a.x) < a.radius + tol {
                     let side = wall_contact::side(wall, a.x);
@@ -115,6 +156,8 @@ impl ContactList {
         self.reference.extend(rows.iter().map(|row| row.x));
         self.travel = 0.0;
         self.wall_travel = 0.0;
+        self.stretch = 0.0;
+        self.reach = 2.0 * largest + tol;
         let [low, high] = particles.extent();
         let margin = largest + 2.0 * tol;
         self.span = [low.map(|x| x - margin), high.map(|x| x + margin)];
@@ -132,13 +175,21 @@ impl ContactList {
         let work = &mut self.work;
         work.old.clear();
         work.old.reserve(pairs + at_walls);
-        match_sorted(&self.pairs, &work.pairs, |p| *p, &mut work.old);
+        let meant = |pairs: &[[u32; 2]], images: &[Image], k: usize| {
+            (pairs[k], images.get(k).copied().unwrap_or(HERE))
+        };
+        match_sorted(
+            [self.pairs.len(), work.pairs.len()],
+            |k| meant(&self.pairs, &self.images, k),
+            |k| meant(&work.pairs, &work.images, k),
+            &mut work.old,
+        );
         let shift = self.pairs.len() as u32;
         let from = work.old.len();
         match_sorted(
-            &self.walls,
-            &work.walls,
-            |w| [w.particle, w.wall],
+            [self.walls.len(), work.walls.len()],
+            |k| [self.walls[k].particle, self.walls[k].wall],
+            |k| [work.walls[k].particle, work.walls[k].wall],
             &mut work.old,
         );
         work.slots.clear();
@@ -167,6 +218,7 @@ impl ContactList {
             }
         }
         std::mem::swap(&mut self.pairs, &mut work.pairs);
+        std::mem::swap(&mut self.images, &mut work.images);
         std::mem::swap(&mut self.walls, &mut work.walls);
         std::mem::swap(&mut self.slots, &mut work.slots);
         std::mem::swap(&mut self.status, &mut work.status);
@@ -246,7 +298,14 @@ impl ContactList {
         })
     }
 
-    /// Furthest that any particle really moved since the list was made [m].
+    /// Takes the centres that travel is measured from along with an imposed flow.
+    pub(in crate::engine) fn carry_along(&mut self, moved: impl Fn([f64; 2]) -> [f64; 2]) {
+        for x in &mut self.reference {
+            *x = moved(*x);
+        }
+    }
+
+    /// Furthest that any particle really moved since the list was made, but for the imposed flow [m].
     pub fn measured_travel(&self, particles: &Particles) -> f64 {
         let square =
             particles
@@ -297,6 +356,9 @@ impl ContactList {
         let walls = &keep[self.pairs.len()..];
         self.touches = chosen(&self.touches, walls);
         self.walls = chosen(&self.walls, walls);
+        if !self.images.is_empty() {
+            self.images = chosen(&self.images, &keep[..self.pairs.len()]);
+        }
         self.pairs = chosen(&self.pairs, &keep[..self.pairs.len()]);
         self.slots = chosen(&self.slots, &keep);
         self.status = chosen(&self.status, &keep);
@@ -324,15 +386,20 @@ fn chosen<T: Copy>(items: &[T], keep: &[bool]) -> Vec<T> {
         .collect()
 }
 
-/// For each item of the sorted `new`, its place in the sorted `old`, or [`NEW`].
-fn match_sorted<T>(old: &[T], new: &[T], key: impl Fn(&T) -> [u32; 2], places: &mut Vec<u32>) {
+/// For each of the sorted new items, its place among the sorted old ones, or [`NEW`].
+fn match_sorted<K: Ord>(
+    [old, new]: [usize; 2],
+    old_key: impl Fn(usize) -> K,
+    new_key: impl Fn(usize) -> K,
+    places: &mut Vec<u32>,
+) {
     let mut k = 0;
-    for item in new {
-        let wanted = key(item);
-        while k < old.len() && key(&old[k]) < wanted {
+    for item in 0..new {
+        let wanted = new_key(item);
+        while k < old && old_key(k) < wanted {
             k += 1;
         }
-        let found = k < old.len() && key(&old[k]) == wanted;
+        let found = k < old && old_key(k) == wanted;
         places.push(if found { k as u32 } else { NEW });
     }
 }
@@ -344,12 +411,9 @@ mod tests {
     #[test]
     fn places_are_found_by_walking() {
         let mut places = Vec::new();
-        match_sorted(
-            &[[0, 1], [0, 3], [2, 5]],
-            &[[0, 2], [0, 3], [2, 5], [3, 4]],
-            |p| *p,
-            &mut places,
-        );
+        let old = [[0, 1], [0, 3], [2, 5]];
+        let new = [[0, 2], [0, 3], [2, 5], [3, 4]];
+        match_sorted([3, 4], |k| old[k], |k| new[k], &mut places);
         assert_eq!(places, [NEW, 1, 2, NEW]);
     }
 }

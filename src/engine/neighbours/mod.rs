@@ -5,6 +5,7 @@
 
 pub mod grid;
 pub mod list;
+mod periodic;
 
 use serde::{Deserialize, Serialize};
 

@@ -1,6 +1,7 @@
 //! The verbs: one file for each or for a close family, with its card, what it is as data and how
 //! it is read and written.
 
+pub mod boundary;
 pub mod con1;
 pub mod create;
 pub mod cycle;
@@ -21,6 +22,8 @@ pub mod quit;
 pub mod reference;
 pub mod rotation;
 pub mod save;
+pub mod servo;
 pub mod solve;
+pub mod strain;
 pub mod wall;
 pub mod zero;

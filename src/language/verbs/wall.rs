@@ -11,14 +11,18 @@ use std::fmt;
 pub const CARD: Card = Card {
     name: "wall",
     aliases: &[],
-    usage: "wall NAME velocity VX VY | spin W | from X Y to X Y [material M] | delete",
+    usage: "wall NAME velocity VX VY | spin W | servo FN [over N] [gain G] | force FX FY [gain G] | from X Y to X Y [material M] | delete",
     summary: "moves, adds or removes a wall",
     detail: "Walls are kinematic: they move as told, whatever pushes them. Velocity in m/s, spin in \
-             rad/s about the wall's turning point. `from ... to` adds a wall between two points in \
+             rad/s about the wall's turning point. `servo` moves the wall along its normal until the \
+             particles press on it with FN newtons, reached linearly over N cycles; `force` until they \
+             hold a force that is applied to it. `velocity` ends both. `from ... to` adds a wall between two points in \
              m; without a material it takes the first of the scene.",
     examples: &[
         "wall left velocity 0.05 0",
         "wall floor spin 0.2",
+        "wall lid servo 25 over 1000",
+        "wall lid force 0 -25",
         "wall step from -0.01 0.02 to 0.01 0.02 material steel",
         "wall step delete",
     ],
@@ -33,6 +37,22 @@ pub enum WallChange {
     Velocity([f64; 2]),
     /// Angular velocity about the turning point [rad/s].
     Spin(f64),
+    /// Moves along its normal until the particles press on it like this.
+    Servo {
+        /// Normal force [N].
+        force: f64,
+        /// Cycles in which it is reached; 0: at once.
+        over: u64,
+        /// Gain.
+        gain: f64,
+    },
+    /// Moves until the particles hold a force that is applied to it.
+    Force {
+        /// The force [N].
+        force: [f64; 2],
+        /// Gain.
+        gain: f64,
+    },
     /// A new wall between two points.
     Create {
         /// Where it begins [m].
@@ -55,10 +75,34 @@ fn parse(words: &mut Words<'_>) -> Result<Command, Mistake> {
             w.vector("the velocity").map(WallChange::Velocity)
         }),
         ("spin", |w| w.number("the spin").map(WallChange::Spin)),
+        ("servo", servo),
+        ("force", force),
         ("from", between),
         ("delete", |_| Ok(WallChange::Delete)),
     ])?(words)?;
     Ok(Command::Wall(name, change))
+}
+
+fn servo(words: &mut Words<'_>) -> Result<WallChange, Mistake> {
+    let force = words.not_negative("the normal force")?;
+    let (mut over, mut gain) = (0, 1.0);
+    let mut left = vec!["over", "gain"];
+    while let Some(option) = words.next_option(&mut left)? {
+        match option {
+            "over" => over = words.count("the number of cycles")?,
+            _ => gain = words.positive("the gain")?,
+        }
+    }
+    Ok(WallChange::Servo { force, over, gain })
+}
+
+fn force(words: &mut Words<'_>) -> Result<WallChange, Mistake> {
+    let force = words.vector("the force")?;
+    let gain = match words.optional_keyword(&["gain"])? {
+        Some(_) => words.positive("the gain")?,
+        None => 1.0,
+    };
+    Ok(WallChange::Force { force, gain })
 }
 
 fn between(words: &mut Words<'_>) -> Result<WallChange, Mistake> {
@@ -85,6 +129,17 @@ impl fmt::Display for WallChange {
         match self {
             Self::Velocity(v) => write!(f, "velocity {}", vector(*v)),
             Self::Spin(w) => write!(f, "spin {}", number::format(*w)),
+            Self::Servo { force, over, gain } => {
+                write!(f, "servo {}", number::format(*force))?;
+                if *over > 0 {
+                    write!(f, " over {over}")?;
+                }
+                write_gain(f, *gain)
+            }
+            Self::Force { force, gain } => {
+                write!(f, "force {}", vector(*force))?;
+                write_gain(f, *gain)
+            }
             Self::Create { from, to, material } => {
                 write!(f, "from {} to {}", vector(*from), vector(*to))?;
                 match material {
@@ -95,4 +150,11 @@ impl fmt::Display for WallChange {
             Self::Delete => f.write_str("delete"),
         }
     }
+}
+
+fn write_gain(f: &mut fmt::Formatter<'_>, gain: f64) -> fmt::Result {
+    if gain == 1.0 {
+        return Ok(());
+    }
+    write!(f, " gain {}", number::format(gain))
 }

@@ -157,10 +157,9 @@ impl<'de> Deserialize<'de> for Column {
     }
 }
 
-/// Columns that have a value without the name of a region.
+/// Columns of the assembly.
 fn globals() -> impl Iterator<Item = &'static Row<Read>> + Clone {
-    let rows = super::ASSEMBLY.iter().flat_map(|family| family.iter());
-    rows.filter(|row| row.is_global())
+    super::ASSEMBLY.iter().flat_map(|family| family.iter())
 }
 
 /// Columns that a region can have.
@@ -201,16 +200,9 @@ fn find<R>(rows: &'static [Row<R>], name: &str) -> Result<&'static Row<R>, Unkno
 }
 
 fn find_global(name: &str) -> Result<&'static Row<Read>, UnknownColumn> {
-    if let Some(row) = globals().find(|row| row.card.name == name) {
-        return Ok(row);
-    }
-    if regionals().any(|row| row.card.name == name) {
-        return Err(UnknownColumn {
-            message: format!("`{name}` is a column of a region"),
-            remedy: format!("write region:NAME:{name} with the name of a [[measure]]"),
-        });
-    }
-    Err(unknown(name, globals().map(|row| row.card.name)))
+    globals()
+        .find(|row| row.card.name == name)
+        .ok_or_else(|| unknown(name, globals().map(|row| row.card.name)))
 }
 
 fn find_regional(name: &str) -> Result<&'static Row<Read>, UnknownColumn> {
@@ -263,7 +255,6 @@ mod tests {
             ("particle:0:x", "from 1"),
             ("region:core:sin_phy", "`sin_phi`"),
             ("region:core:kinetic", "no column of a region"),
-            ("strain_11", "region:NAME:strain_11"),
             ("material:glass:contact_shear", "`contact_share`"),
         ] {
             let error = Column::parse(wrong).unwrap_err();

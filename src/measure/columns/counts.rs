@@ -2,6 +2,7 @@
 
 use super::card::Row;
 use super::read::{Read, regional, whole, world};
+use crate::engine::boundary::Boundary;
 use crate::measure::overlap::large_overlaps;
 
 pub(super) const ROWS: &[Row<Read>] = &[
@@ -47,6 +48,13 @@ pub(super) const ROWS: &[Row<Read>] = &[
         |r| r.assembly().sliding_fraction,
     )
     .usual(),
+    world(
+        "boundary_particles",
+        "-",
+        "particles of the boundary ring",
+        |s| s.world().boundary().and_then(Boundary::ring).map_or(0, |ring| ring.members.len()) as f64,
+    )
+    .counted(),
     world(
         "overlap_warnings",
         "-",

@@ -67,11 +67,7 @@ pub fn listing() -> Vec<(&'static str, &'static Card)> {
     ) -> impl Iterator<Item = (&'static str, &'static Card)> {
         rows.map(move |row| (prefix, &row.card))
     }
-    of("", assembly().filter(|row| row.is_global()))
-        .chain(of(
-            "region:NAME:",
-            assembly().filter(|row| !row.is_global()),
-        ))
+    of("", assembly())
         .chain(of("wall:NAME:", WALL.iter()))
         .chain(of("contact:I-J:", CONTACT.iter()))
         .chain(of("particle:I:", PARTICLE.iter()))

@@ -13,19 +13,14 @@ pub enum Read {
     Region(fn(&Regional<'_>) -> f64),
     /// Of everything, or of `region:NAME:`.
     Whole(fn(&Regional<'_>) -> f64),
-    /// Of `region:NAME:` alone.
-    Named(fn(&Regional<'_>) -> f64),
+    /// Of the run as a whole one thing, of `region:NAME:` another.
+    Either(fn(&Sample<'_>) -> f64, fn(&Regional<'_>) -> f64),
 }
 
 impl Row<Read> {
     /// Whether a region can have it.
     pub fn is_regional(&self) -> bool {
         !matches!(self.read, Read::World(_))
-    }
-
-    /// Whether it has a value without the name of a region.
-    pub fn is_global(&self) -> bool {
-        !matches!(self.read, Read::Named(_))
     }
 }
 
@@ -49,14 +44,15 @@ pub(super) const fn regional(
     Row::new(name, unit, summary, Read::Region(read))
 }
 
-/// A column of a named region alone.
-pub(super) const fn named(
+/// A column that is one thing for the run as a whole and another for a named region.
+pub(super) const fn either(
     name: &'static str,
     unit: &'static str,
     summary: &'static str,
-    read: fn(&Regional<'_>) -> f64,
+    world: fn(&Sample<'_>) -> f64,
+    region: fn(&Regional<'_>) -> f64,
 ) -> Row<Read> {
-    Row::new(name, unit, summary, Read::Named(read))
+    Row::new(name, unit, summary, Read::Either(world, region))
 }
 
 /// A column of everything or of a named region.

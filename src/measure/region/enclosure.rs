@@ -15,6 +15,8 @@ pub enum Enclosure {
     Walls(Vec<[f64; 2]>),
     /// The convex hull of the discs.
     Hull,
+    /// A periodic cell: nothing is outside.
+    Cell,
 }
 
 /// A line with everything on its left.
@@ -36,6 +38,9 @@ const SAME: f64 = 1e-9;
 impl Enclosure {
     /// What encloses the assembly now.
     pub fn of(world: &World) -> Self {
+        if world.cell().is_some() {
+            return Self::Cell;
+        }
         let rows = &world.particles().row;
         if rows.is_empty() || world.walls().len() < 3 {
             return Self::Hull;
@@ -75,6 +80,9 @@ impl Enclosure {
     pub fn area(&self, world: &World) -> f64 {
         match self {
             Self::Walls(corners) => polygon(corners),
+            Self::Cell => world
+                .cell()
+                .map_or(f64::NAN, crate::engine::boundary::Cell::area),
             Self::Hull => {
                 let rows = world.particles().row.iter();
                 let discs: Vec<Disc> = rows.map(|row| (row.x, row.radius)).collect();

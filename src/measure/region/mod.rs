@@ -48,7 +48,8 @@ impl Shape {
     pub fn members(self, world: &World) -> Vec<bool> {
         let inner = self.inner(world);
         let rows = world.particles().row.iter();
-        rows.map(|row| inner.contains(row.x)).collect()
+        let home = |x| world.cell().map_or(x, |cell| cell.home(x));
+        rows.map(|row| inner.contains(home(row.x))).collect()
     }
 
     /// The same place in the coordinates the world computes in.

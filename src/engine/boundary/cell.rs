@@ -1,0 +1,110 @@
+//! A periodic cell: what leaves through one side comes in through the opposite one.
+//!
+//! The plane is tiled with copies of a parallelogram. Particles keep their coordinates when they
+//! leave it: a contact knows by how many edges its second body is shifted, so nothing jumps.
+
+use serde::{Deserialize, Serialize};
+
+use super::straining::{Tensor, velocity};
+
+/// How many edges 1 and 2 an image is shifted by.
+pub type Image = [i16; 2];
+
+/// The particle itself.
+pub const HERE: Image = [0; 2];
+
+/// The cell as it is now.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Cell {
+    /// Its lower left corner [m], relative to the origin of the world.
+    pub corner: [f64; 2],
+    /// Its two edges [m]; the second is on the left of the first.
+    pub edges: [[f64; 2]; 2],
+}
+
+impl Cell {
+    /// Shift of an image [m].
+    #[inline(always)]
+    pub fn shift(&self, image: Image) -> [f64; 2] {
+        let [n, m] = image.map(f64::from);
+        [0, 1].map(|k| n * self.edges[0][k] + m * self.edges[1][k])
+    }
+
+    /// Its area [m²].
+    pub fn area(&self) -> f64 {
+        let [a, b] = self.edges;
+        a[0] * b[1] - a[1] * b[0]
+    }
+
+    /// Distance between the two sides that each edge connects [m].
+    pub fn widths(&self) -> [f64; 2] {
+        let length = |e: [f64; 2]| (e[0] * e[0] + e[1] * e[1]).sqrt();
+        [
+            self.area() / length(self.edges[1]),
+            self.area() / length(self.edges[0]),
+        ]
+    }
+
+    /// Coordinates of a point in terms of the edges, 0 at the corner.
+    pub fn fractions(&self, x: [f64; 2]) -> [f64; 2] {
+        let ([a, b], area) = (self.edges, self.area());
+        let d = [x[0] - self.corner[0], x[1] - self.corner[1]];
+        [
+            (d[0] * b[1] - d[1] * b[0]) / area,
+            (a[0] * d[1] - a[1] * d[0]) / area,
+        ]
+    }
+
+    /// The image of the cell that a point is in.
+    pub fn image(&self, x: [f64; 2]) -> Image {
+        self.fractions(x).map(|f| f.floor() as i16)
+    }
+
+    /// The same point in the cell itself [m].
+    pub fn home(&self, x: [f64; 2]) -> [f64; 2] {
+        let shift = self.shift(self.image(x));
+        [x[0] - shift[0], x[1] - shift[1]]
+    }
+
+    /// The shortest of the vectors [m] between two points and their images; in a cell that leans by more
+    /// than half an edge it may be the second shortest.
+    pub fn nearest(&self, d: [f64; 2]) -> [f64; 2] {
+        let from_corner = [d[0] + self.corner[0], d[1] + self.corner[1]];
+        let image = self.fractions(from_corner).map(|f| f.round() as i16);
+        let shift = self.shift(image);
+        [d[0] - shift[0], d[1] - shift[1]]
+    }
+
+    /// Takes a step of `dt` [s] under a strain rate that leaves `centre` where it is.
+    pub(super) fn deform(&mut self, rate: &Tensor, centre: [f64; 2], dt: f64) {
+        let moved = |x: [f64; 2], d: [f64; 2]| {
+            let v = velocity(rate, d);
+            [x[0] + v[0] * dt, x[1] + v[1] * dt]
+        };
+        for edge in &mut self.edges {
+            *edge = moved(*edge, *edge);
+        }
+        let d = [self.corner[0] - centre[0], self.corner[1] - centre[1]];
+        self.corner = moved(self.corner, d);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_come_home_by_whole_edges() {
+        let cell = Cell {
+            corner: [1.0, -1.0],
+            edges: [[2.0, 0.0], [0.5, 1.0]],
+        };
+        assert_eq!(cell.area(), 2.0);
+        assert_eq!(cell.image([2.0, -0.5]), HERE);
+        assert_eq!(cell.image([1.0, 0.5]), [-1, 1]);
+        assert_eq!(cell.home([1.0, 0.5]), [2.5, -0.5]);
+        let widths = cell.widths();
+        assert!((widths[0] - 2.0 / 1.25f64.sqrt()).abs() < 1e-15);
+        assert_eq!(widths[1], 1.0);
+    }
+}

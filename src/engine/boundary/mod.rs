@@ -1,0 +1,85 @@
+//! What strain and stress are imposed by: a ring of particles, walls, a periodic cell, and the flow
+//! of a continuum that carries all particles along.
+//!
+//! A flow moves positions and enters the relative velocities of contacts, but never the velocities
+//! that are stored: those are the particles' own, beside the flow (Cundall 1988 in Randall 1989,
+//! (4.41), (4.42)).
+
+pub mod cell;
+mod drive;
+mod ring;
+pub(super) mod seen;
+pub mod straining;
+
+use serde::{Deserialize, Serialize};
+
+pub use cell::Cell;
+pub use ring::Ring;
+pub use straining::{Straining, Tensor};
+
+use super::setup::BoundarySetup;
+
+/// The boundary as it is now. Positions are relative to the origin of the world.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Boundary {
+    /// Its kind.
+    pub kind: Kind,
+    /// The point that the imposed strain leaves where it is [m].
+    pub centre: [f64; 2],
+    /// The imposed strain.
+    pub straining: Straining,
+}
+
+/// What the boundary consists of.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub enum Kind {
+    /// Particles.
+    Ring(Ring),
+    /// The walls of the scene.
+    Walls,
+    /// Images of the assembly.
+    Cell(Cell),
+}
+
+impl Boundary {
+    /// From the setup.
+    pub(super) fn new(setup: BoundarySetup, origin: [f64; 2], rate: Tensor) -> Self {
+        let inner = |x: [f64; 2]| [x[0] - origin[0], x[1] - origin[1]];
+        let (kind, centre) = match setup {
+            BoundarySetup::Ring {
+                centre,
+                radius,
+                turning,
+            } => (Kind::Ring(Ring::new(radius, turning)), inner(centre)),
+            BoundarySetup::Walls { centre } => (Kind::Walls, inner(centre)),
+            BoundarySetup::Cell { corner, edges } => {
+                let corner = inner(corner);
+                let middle = |k: usize| corner[k] + 0.5 * (edges[0][k] + edges[1][k]);
+                (Kind::Cell(Cell { corner, edges }), [middle(0), middle(1)])
+            }
+        };
+        let mut straining = Straining::default();
+        straining.set(rate, 0, 0);
+        Self {
+            kind,
+            centre,
+            straining,
+        }
+    }
+
+    /// The cell, if it is one.
+    pub fn cell(&self) -> Option<&Cell> {
+        match &self.kind {
+            Kind::Cell(cell) => Some(cell),
+            Kind::Ring(_) | Kind::Walls => None,
+        }
+    }
+
+    /// The ring, if it is one.
+    pub fn ring(&self) -> Option<&Ring> {
+        match &self.kind {
+            Kind::Ring(ring) => Some(ring),
+            Kind::Cell(_) | Kind::Walls => None,
+        }
+    }
+}

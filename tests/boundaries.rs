@@ -1,0 +1,14 @@
+//! Boundaries that impose strain and stress: periodic cells, rings, walls, and the flow of a continuum.
+
+mod common;
+
+#[path = "boundaries/cells.rs"]
+mod cells;
+#[path = "boundaries/flows.rs"]
+mod flows;
+#[path = "boundaries/moduli.rs"]
+mod moduli;
+#[path = "boundaries/rings.rs"]
+mod rings;
+#[path = "boundaries/walls.rs"]
+mod walls;

@@ -1,0 +1,199 @@
+//! Periodic cells: what is inside does not know where the cell begins.
+
+use ballast::engine::World;
+use ballast::engine::setup::{BoundarySetup, Damping, Dashpot, ParticleSetup, Setup};
+use ballast::measure::fabric::Fabric;
+use ballast::measure::region::{Content, Shape};
+use ballast::measure::stress::Stress;
+
+use crate::common::{law, material, moving, particle, scene};
+
+pub(crate) const K: f64 = 1e6;
+
+fn cell(edges: [[f64; 2]; 2]) -> BoundarySetup {
+    BoundarySetup::Cell {
+        corner: [0.0; 2],
+        edges,
+    }
+}
+
+/// Discs of radius 1 at the places of a lattice, n by m of them in a cell with these steps.
+pub(crate) fn packed(a: [f64; 2], b: [f64; 2], [n, m]: [usize; 2], shear: f64) -> Setup {
+    let along = |v: [f64; 2], k: usize| v.map(|x| x * k as f64);
+    let places = (0..n).flat_map(|i| (0..m).map(move |j| (i, j)));
+    let at = |(i, j)| {
+        let (p, q) = (along(a, i), along(b, j));
+        particle(p[0] + q[0], p[1] + q[1], 1.0)
+    };
+    Setup {
+        particles: places.map(at).collect(),
+        boundary: Some(cell([along(a, n), along(b, m)])),
+        ..scene(material(K, shear * K, if shear > 0.0 { 1e9 } else { 0.0 }))
+    }
+}
+
+pub(crate) fn built(setup: Setup) -> World {
+    let mut world = World::build(setup, 1).expect("the scene is sound");
+    world.settle();
+    world
+}
+
+const OVERLAP: f64 = 0.02;
+const D: f64 = 2.0 - OVERLAP;
+const F: f64 = K * OVERLAP;
+
+/// Every disc has all its neighbours, in a cell of one disc, of several, and of one row.
+#[test]
+fn lattices_have_their_closed_forms_in_cells_of_any_size() {
+    let row = D * 3f64.sqrt() / 2.0;
+    let hexagonal = ([D, 0.0], [0.5 * D, row], 3f64.sqrt() * F / D, 3.0, row);
+    let square = ([D, 0.0], [0.0, D], F / D, 2.0, D);
+    for (a, b, pressure, per_disc, height) in [hexagonal, square] {
+        for size in [[1, 1], [1, 3], [2, 2], [4, 5]] {
+            let world = built(packed(a, b, size, 0.0));
+            let count = (size[0] * size[1]) as f64;
+            let content = Content::of(&world, Shape::All);
+            let close = |x: f64, exact: f64| (x - exact).abs() < 1e-9 * exact.abs().max(1e-3);
+            assert!(close(content.area, count * D * height), "{size:?}");
+            let porosity = 1.0 - std::f64::consts::PI / (D * height);
+            assert!(close(content.porosity(), porosity), "{size:?}");
+            let stress = Stress::of(&world, &content).total;
+            assert!(close(stress[(0, 0)], pressure), "{size:?} {stress}");
+            assert!(close(stress[(1, 1)], pressure), "{size:?} {stress}");
+            assert!(stress[(0, 1)].abs() < 1e-9 * pressure, "{size:?} {stress}");
+            let fabric = Fabric::of(&world, &content).plain;
+            assert!(
+                close(fabric[(0, 0)], 0.5) && close(fabric[(1, 1)], 0.5),
+                "{fabric}"
+            );
+            let touching = world.contacts().status.len() as f64;
+            assert!(touching >= per_disc * count, "{size:?} {touching}");
+        }
+    }
+}
+
+fn crowd(shift: [f64; 2]) -> Vec<ParticleSetup> {
+    // A loose crowd that collides: places and velocities from a fixed sequence.
+    let mut seed = 7u64;
+    let mut next = || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        (seed >> 33) as f64 / f64::from(1u32 << 31) - 0.5
+    };
+    let mut crowd = Vec::new();
+    for i in 0..6 {
+        for j in 0..6 {
+            let x = [3.0 * f64::from(i) + next(), 3.0 * f64::from(j) + next()];
+            let v = [2.0 * next(), 2.0 * next()];
+            let radius = 1.1 + 0.2 * next();
+            crowd.push(moving(x[0] + shift[0], x[1] + shift[1], radius, v, next()));
+        }
+    }
+    crowd
+}
+
+fn gas(shift: [f64; 2], tol: Option<f64>) -> Setup {
+    Setup {
+        particles: crowd(shift),
+        boundary: Some(cell([[18.0, 0.0], [4.0, 18.0]])),
+        law: law("linear"),
+        tol,
+        frac: 0.1,
+        ..scene(material(K, 0.8 * K, 0.5))
+    }
+}
+
+fn momentum(world: &World) -> [f64; 2] {
+    let p = world.particles();
+    p.row.iter().zip(&p.mass).fold([0.0; 2], |sum, (row, m)| {
+        [sum[0] + m * row.v[0], sum[1] + m * row.v[1]]
+    })
+}
+
+#[test]
+fn momentum_stays_while_particles_leave_and_come_in() {
+    let mut world = built(gas([0.0; 2], None));
+    let before = momentum(&world);
+    let far = |world: &World| {
+        let cell = world.cell().unwrap();
+        (world.particles().row.iter())
+            .filter(|row| cell.image(row.x) != [0, 0])
+            .count()
+    };
+    let scale: f64 = (world.particles().row.iter().zip(&world.particles().mass))
+        .map(|(row, m)| m * (row.v[0].abs() + row.v[1].abs()))
+        .sum();
+    for _ in 0..20_000 {
+        world.cycle().expect("the scene is sound");
+    }
+    assert!(far(&world) > 3, "nothing crossed an edge: {}", far(&world));
+    let after = momentum(&world);
+    for k in 0..2 {
+        // 20 000 sums of 36 terms, each wrong by at most 1e-16 of the scale.
+        assert!(
+            (after[k] - before[k]).abs() < 1e-10 * scale,
+            "{before:?} {after:?} {scale}"
+        );
+    }
+    let error = world.bookings().unwrap().energy_error;
+    // Steps that end in the middle of sliding leave this much, as in the free collisions of spheres.
+    assert!(error.abs() < 1e-4, "{error}");
+}
+
+/// Where particles stand in the cell says nothing: all shifted alike, some leave it at once.
+#[test]
+fn a_shift_changes_nothing() {
+    let mut here = built(gas([0.0; 2], None));
+    // A power of two over a thousand: exact, and half of the crowd starts in other images.
+    let shift = [8.0, -16.0];
+    let mut there = built(gas(shift, None));
+    for _ in 0..300 {
+        here.cycle().unwrap();
+        there.cycle().unwrap();
+    }
+    for (a, b) in here.particles().row.iter().zip(&there.particles().row) {
+        for (k, shift) in shift.into_iter().enumerate() {
+            assert!((b.x[k] - a.x[k] - shift).abs() < 1e-9, "{a:?} {b:?}");
+            assert!((b.v[k] - a.v[k]).abs() < 1e-9, "{a:?} {b:?}");
+        }
+    }
+}
+
+#[test]
+fn neither_the_halo_nor_threads_change_a_bit() {
+    let hashes: Vec<u64> = [(None, 1), (Some(0.4), 1), (Some(0.02), 1), (None, 3)]
+        .into_iter()
+        .map(|(tol, threads)| {
+            let mut setup = gas([0.0; 2], tol);
+            setup.strain_rate = [[0.05, 0.01], [0.0, 0.03]];
+            let mut world = World::build(setup, threads).unwrap();
+            for _ in 0..3000 {
+                world.cycle().expect("the scene is sound");
+            }
+            world.state_hash()
+        })
+        .collect();
+    assert!(hashes.iter().all(|hash| *hash == hashes[0]), "{hashes:?}");
+}
+
+/// The cell of one disc and that of many are the same material in every cycle of a compression.
+#[test]
+fn cells_of_one_and_of_many_discs_are_one_material() {
+    let row = D * 3f64.sqrt() / 2.0;
+    let strained = |size| {
+        let mut setup = packed([D, 0.0], [0.5 * D, row], size, 0.6);
+        setup.strain_rate = [[0.003, 0.001], [0.0, -0.001]];
+        setup.damping = Damping {
+            contact: Dashpot::Fraction(0.1),
+            ..Damping::default()
+        };
+        let mut world = built(setup);
+        for _ in 0..2000 {
+            world.cycle().expect("the scene is sound");
+        }
+        world.settle();
+        Stress::of(&world, &Content::of(&world, Shape::All)).total
+    };
+    let (one, many) = (strained([1, 1]), strained([3, 4]));
+    assert!(one.norm() > 0.1 * K * OVERLAP);
+    assert!((one - many).norm() < 1e-9 * one.norm(), "{one} {many}");
+}
