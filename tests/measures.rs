@@ -8,6 +8,8 @@ mod classes;
 mod columns;
 #[path = "measures/equilibrium.rs"]
 mod equilibrium;
+#[path = "measures/exports.rs"]
+mod exports;
 #[path = "measures/lattices.rs"]
 mod lattices;
 #[path = "measures/motion.rs"]

@@ -14,7 +14,7 @@ use std::str::FromStr;
 pub use super::verbs::create::Create;
 pub use super::verbs::damp::Damper;
 pub use super::verbs::delete::ParticleRange;
-pub use super::verbs::export::{ContactFile, DumpOf, Export};
+pub use super::verbs::export::{ContactFile, DumpOf, Export, PictureOf};
 pub use super::verbs::friction::FrictionOf;
 pub use super::verbs::history::HistoryChange;
 pub use super::verbs::particle::ParticleChange;

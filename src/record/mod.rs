@@ -14,5 +14,6 @@ pub mod number;
 #[cfg(test)]
 mod own_process;
 pub mod table;
+pub mod vtk;
 pub mod whole_file;
 mod whole_lines;

@@ -13,6 +13,27 @@ pub struct Dump {
     pub every: u64,
     /// Which, each once.
     pub what: Vec<DumpOf>,
+    /// Form of the files.
+    pub format: Format,
+}
+
+/// Form of the files.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    /// Tables.
+    Csv,
+    /// Legacy VTK.
+    Vtk,
+}
+
+impl Format {
+    /// Ending of the names.
+    pub fn ending(self) -> &'static str {
+        match self {
+            Self::Csv => "csv",
+            Self::Vtk => "vtk",
+        }
+    }
 }
 
 /// The declaration.
@@ -45,15 +66,18 @@ const KEYS: &[Key] = &[
     },
     Key {
         name: "format",
-        form: Form::Word(&["csv"]),
+        form: Form::Word(&["csv", "vtk"]),
         unit: "-",
         absent: Absent::Word("csv"),
-        summary: "form of the files",
+        summary: "form of the files: tables, or legacy VTK for ParaView, whose names end in .vtk",
     },
 ];
 
 fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
-    reader.word("format");
+    let format = match reader.word("format") {
+        Some("vtk") => Format::Vtk,
+        _ => Format::Csv,
+    };
     let (every, words) = (reader.count("every"), reader.words("what"));
     match (reader.has("every"), reader.has("what")) {
         (false, false) => return,
@@ -101,5 +125,9 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
         );
         return;
     }
-    draft.dump = Some(Dump { every, what });
+    draft.dump = Some(Dump {
+        every,
+        what,
+        format,
+    });
 }

@@ -49,7 +49,7 @@ use std::sync::Arc;
 
 pub use about::About;
 pub use answer::Answer;
-pub use dump::Dump;
+pub use dump::{Dump, Format as DumpFormat};
 pub use expect::{Band, Differs, Expect};
 pub use generate::{Generated, SizeGenerated};
 pub use history::History;

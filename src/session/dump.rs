@@ -11,6 +11,7 @@ use super::{RunError, Session, tables};
 use crate::language::command::DumpOf;
 use crate::measure::sample::Sample;
 use crate::record::whole_file;
+use crate::scene::DumpFormat as Format;
 
 /// Digits of a cycle in a name: names sort as cycles do.
 const DIGITS: usize = 10;
@@ -38,16 +39,20 @@ impl Session {
         let regions = &self.scene.regions;
         let sample = Sample::over(&mut self.world, regions, Some(&self.reference));
         for of in &dump.what {
-            let path = path(stem, *of, cycle);
-            whole_file::write(&path, tables::all(&sample, *of).bytes())?;
+            let path = path(stem, *of, cycle, dump.format);
+            match dump.format {
+                Format::Csv => whole_file::write(&path, tables::all(&sample, *of).bytes())?,
+                Format::Vtk => whole_file::write(&path, &tables::polydata(&sample, *of).bytes())?,
+            }
         }
         Ok(())
     }
 }
 
 /// The file of a dump.
-fn path(stem: &Path, of: DumpOf, cycle: u64) -> PathBuf {
+fn path(stem: &Path, of: DumpOf, cycle: u64, format: Format) -> PathBuf {
     let mut name = stem.as_os_str().to_owned();
-    name.push(format!(".{of}.{cycle:0DIGITS$}.csv"));
+    let ending = format.ending();
+    name.push(format!(".{of}.{cycle:0DIGITS$}.{ending}"));
     name.into()
 }

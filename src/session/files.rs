@@ -8,7 +8,6 @@ use crate::language::command::Export;
 use crate::language::{Command, Known};
 use crate::record::error::{Attempt, RecordError};
 use crate::record::journal::{Event, EventKind};
-use crate::record::table::CsvTable;
 
 impl Session {
     pub(super) fn keep(&mut self, command: &Command) -> Result<Reply, Refusal> {
@@ -31,13 +30,21 @@ impl Session {
             }
             Command::Export(Export::All(of), file) => {
                 let table = tables::all(&self.sample(), *of);
-                write_table(&table, file, cycle)
+                write(table.bytes(), file, cycle)
+            }
+            Command::Export(Export::Vtk(of), file) => {
+                let bytes = tables::polydata(&self.sample(), *of).bytes();
+                write(&bytes, file, cycle)
+            }
+            Command::Export(Export::Picture(of), file) => {
+                let svg = self.picture(*of)?;
+                write(svg.as_bytes(), file, cycle)
             }
             Command::Export(Export::Profile(region, rings), file) => {
                 let sample = self.sample();
                 let named = region.as_ref().and_then(|name| sample.region(name));
                 let region = named.unwrap_or_else(|| sample.regional());
-                write_table(&tables::profile(region, *rings), file, cycle)
+                write(tables::profile(region, *rings).bytes(), file, cycle)
             }
             Command::Journal(file) => {
                 let mut journal = self.journal.clone();
@@ -76,8 +83,8 @@ impl Session {
     }
 }
 
-fn write_table(table: &CsvTable, file: &str, cycle: u64) -> Result<Reply, Refusal> {
-    crate::record::whole_file::write(Path::new(file), table.bytes())?;
+fn write(bytes: &[u8], file: &str, cycle: u64) -> Result<Reply, Refusal> {
+    crate::record::whole_file::write(Path::new(file), bytes)?;
     Ok(Reply::line(format!("cycle {cycle} in {file}")))
 }
 

@@ -15,6 +15,7 @@ mod files;
 pub mod frames;
 pub mod inspect;
 mod opening;
+mod pictures;
 mod print;
 mod recording;
 mod replay;

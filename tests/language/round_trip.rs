@@ -3,7 +3,7 @@
 use ballast::engine::setup::Gravity;
 use ballast::language::command::{
     ContactFile, Create, Damper, DumpOf, Export, FrictionOf, Goal, HistoryChange, Measure,
-    ParticleChange, ParticleRange, Printout, Property, Solve, WallChange,
+    ParticleChange, ParticleRange, PictureOf, Printout, Property, Solve, WallChange,
 };
 use ballast::language::{COMMANDS, Command, Expression, Known, Observable};
 use ballast::measure::columns::{CONTACT, Column, PARTICLE, Partner, Read, Row, WALL, assembly};
@@ -240,6 +240,9 @@ fn export() -> impl Strategy<Value = Export> {
         Just(Export::All(DumpOf::Contacts)),
         profile.prop_map(|(region, rings)| Export::Profile(region, rings)),
         prop::sample::select(of_contact.to_vec()).prop_map(Export::Contact),
+        Just(Export::Vtk(DumpOf::Particles)),
+        Just(Export::Vtk(DumpOf::Contacts)),
+        prop::sample::select(PictureOf::ALL.to_vec()).prop_map(|(_, of)| Export::Picture(of)),
     ]
 }
 

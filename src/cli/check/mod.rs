@@ -116,7 +116,7 @@ fn written(report: &mut Report, scene: &Scene, preset: &str) {
         let names = dump
             .what
             .iter()
-            .map(|of| format!("{}.{of}.CYCLE.csv", scene.name));
+            .map(|of| format!("{}.{of}.CYCLE.{}", scene.name, dump.format.ending()));
         let names: Vec<String> = names.collect();
         let text = format!("{} every {} cycles", names.join(" and "), dump.every);
         report.line("dumps", text);

@@ -12,18 +12,25 @@ pub const CARD: Card = Card {
     name: "export",
     aliases: &[],
     usage: "export csv FILE | particles FILE | contacts FILE | profile FILE [REGION] [RINGS] | \
-            path FILE | traction FILE | svg contact FILE",
-    summary: "writes the history recorded so far, a table of what there is now, or the contact that \
-              is followed",
-    detail: "All but svg are CSV: one header row, then a row for each sample, particle, contact or \
-             ring, in SI units. Of the contact that `inspect` follows, path is overlap, displacement \
-             and forces, traction the tangential traction over the radius now, svg a picture of both.",
+            path FILE | traction FILE | vtk particles|contacts FILE | \
+            svg contact|assembly|path|mohr|histogram|rose FILE",
+    summary: "writes the history recorded so far, a table or a picture of what there is now, or the \
+              contact that is followed",
+    detail: "All but vtk and svg are CSV: one header row, then a row for each sample, particle, \
+             contact or ring, in SI units. Of the contact that `inspect` follows, path is overlap, \
+             displacement and forces, traction the tangential traction over the radius now, svg \
+             contact a picture of both. vtk is legacy VTK for ParaView: particles as points with \
+             radius, velocity, spin, force, contacts ..., contacts as lines with n, t, overlap ... \
+             The other pictures are the assembly with its forces, the stress path of the history, \
+             circles of Mohr, histograms and roses of the contacts of the default region.",
     examples: &[
         "export csv shear.csv",
         "export contacts now.csv",
         "export profile rings.csv core 20",
         "export path loop.csv",
+        "export vtk particles now.vtk",
         "export svg contact loop.svg",
+        "export svg assembly now.svg",
     ],
     parse,
     changes_world: false,
@@ -40,6 +47,42 @@ pub enum Export {
     Profile(Option<String>, Option<u64>),
     /// The contact that is followed.
     Contact(ContactFile),
+    /// All particles or all contacts as VTK.
+    Vtk(DumpOf),
+    /// A picture.
+    Picture(PictureOf),
+}
+
+/// What pictures can be drawn of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PictureOf {
+    /// Discs, walls, forces.
+    Assembly,
+    /// Deviator stress over mean stress.
+    StressPath,
+    /// Circles of Mohr.
+    Mohr,
+    /// Obliquity, normal force, contact stress.
+    Histogram,
+    /// Contacts by direction.
+    Rose,
+}
+
+impl PictureOf {
+    /// With their words.
+    pub const ALL: [(&str, Self); 5] = [
+        ("assembly", Self::Assembly),
+        ("path", Self::StressPath),
+        ("mohr", Self::Mohr),
+        ("histogram", Self::Histogram),
+        ("rose", Self::Rose),
+    ];
+
+    /// Its word.
+    pub fn word(self) -> &'static str {
+        let found = Self::ALL.iter().find(|(_, of)| *of == self);
+        found.map_or("assembly", |(word, _)| word)
+    }
 }
 
 /// What of the contact that is followed.
@@ -90,12 +133,28 @@ fn parse(words: &mut Words<'_>) -> Result<Command, Mistake> {
         "profile",
         "path",
         "traction",
+        "vtk",
         "svg",
     ])?;
-    if what == "svg" {
-        words.keyword(&["contact"])?;
-    }
+    let drawn = match what {
+        "vtk" => Some(Export::Vtk(DumpOf::of(
+            words.keyword(&["particles", "contacts"])?,
+        ))),
+        "svg" => {
+            let [a, b, c, d, e] = PictureOf::ALL;
+            let of = words.keyword(&["contact", a.0, b.0, c.0, d.0, e.0])?;
+            let picture = PictureOf::ALL.into_iter().find(|(word, _)| *word == of);
+            Some(match picture {
+                Some((_, of)) => Export::Picture(of),
+                None => Export::Contact(ContactFile::Picture),
+            })
+        }
+        _ => None,
+    };
     let file = words.file()?;
+    if let Some(drawn) = drawn {
+        return Ok(Command::Export(drawn, file));
+    }
     let what = match what {
         "csv" => Export::History,
         "profile" => {
@@ -104,7 +163,6 @@ fn parse(words: &mut Words<'_>) -> Result<Command, Mistake> {
         }
         "path" => Export::Contact(ContactFile::Path),
         "traction" => Export::Contact(ContactFile::Traction),
-        "svg" => Export::Contact(ContactFile::Picture),
         word => Export::All(DumpOf::of(word)),
     };
     Ok(Command::Export(what, file))
@@ -119,6 +177,8 @@ pub(crate) fn line(what: &Export, file: &str) -> String {
         Export::Contact(ContactFile::Path) => format!("path {file}"),
         Export::Contact(ContactFile::Traction) => format!("traction {file}"),
         Export::Contact(ContactFile::Picture) => format!("svg contact {file}"),
+        Export::Vtk(of) => format!("vtk {of} {file}"),
+        Export::Picture(of) => format!("svg {} {file}", of.word()),
         Export::Profile(region, rings) => {
             format!("profile {file}{}", profile_words(region.as_ref(), *rings))
         }

@@ -2,26 +2,21 @@
 //! traction inside it.
 
 use std::error::Error;
-use std::ops::Range;
 
-use plotters::coord::Shift;
 use plotters::prelude::*;
 
 use super::{Inspection, Moment};
 use crate::engine::contact::traction::{Traction, Zone};
 use crate::session::figure::figure;
+use crate::session::pictures::plate::{
+    Area, Chart, Drawn, FAINT, FONT, LIMIT, PATH, SMALL, around, chart, plate, tick,
+};
 
 /// Width and height [pixels].
 const SIZE: (u32, u32) = (1000, 820);
 
-const FONT: &str = "sans-serif";
-const SMALL: i32 = 13;
-
-/// Blue, vermilion and green that stay apart for the colour-blind and in grey (Okabe & Ito).
-const PATH: RGBColor = RGBColor(0, 114, 178);
-const LIMIT: RGBColor = RGBColor(213, 94, 0);
+/// Orange, with the others of the plate (Okabe & Ito).
 const SLIP: RGBColor = RGBColor(230, 159, 0);
-const FAINT: RGBColor = RGBColor(225, 225, 225);
 
 /// Points of the profile.
 const STEPS: u32 = 400;
@@ -30,27 +25,15 @@ const STEPS: u32 = 400;
 const LOW: f64 = 1.15;
 const HIGH: f64 = 1.85;
 
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-type Plane =
-    Cartesian2d<plotters::coord::types::RangedCoordf64, plotters::coord::types::RangedCoordf64>;
-type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Plane>;
-type Drawn = Result<(), Box<dyn Error>>;
-
 /// The picture as SVG.
 pub(super) fn svg(inspection: &Inspection) -> Result<String, Box<dyn Error>> {
-    let mut text = String::new();
-    {
-        let root = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
-        root.fill(&WHITE)?;
-        let root = root.titled(&title(inspection), (FONT, 20))?;
-        let parts = root.split_evenly((2, 2));
+    plate(SIZE, &title(inspection), |area| {
+        let parts = area.split_evenly((2, 2));
         loops(&parts[0], inspection)?;
         between_limits(&parts[1], inspection)?;
         normal(&parts[2], inspection)?;
-        profile(&parts[3], inspection)?;
-        root.present()?;
-    }
-    Ok(text)
+        profile(&parts[3], inspection)
+    })
 }
 
 fn title(inspection: &Inspection) -> String {
@@ -64,59 +47,6 @@ fn title(inspection: &Inspection) -> String {
         "contact {}, {}: cycles {since} to {last}{every}, {}",
         inspection.name, inspection.law, inspection.state
     )
-}
-
-/// A range that holds the numbers, with some room around.
-fn around(numbers: impl Iterator<Item = f64>) -> Range<f64> {
-    let (low, high) = numbers
-        .filter(|x| x.is_finite())
-        .fold((0.0f64, 0.0f64), |(low, high), x| (low.min(x), high.max(x)));
-    let room = 0.06 * (high - low);
-    if room > 0.0 {
-        let below = if low < 0.0 { low - room } else { 0.0 };
-        below..high + room
-    } else {
-        -1.0..1.0
-    }
-}
-
-fn chart<'a, 'b>(
-    area: &'a Area<'b>,
-    title: &str,
-    (x, y): (Range<f64>, Range<f64>),
-    (x_name, y_name): (&str, &str),
-) -> Result<Chart<'a, 'b>, Box<dyn Error>> {
-    // Ticks count from an end: rounding must not show where they come to zero.
-    let (across, up) = (x.end - x.start, y.end - y.start);
-    let mut chart = ChartBuilder::on(area)
-        .caption(title, (FONT, 16))
-        .margin(12)
-        .x_label_area_size(42)
-        .y_label_area_size(74)
-        .build_cartesian_2d(x, y)?;
-    chart
-        .configure_mesh()
-        .light_line_style(TRANSPARENT)
-        .bold_line_style(FAINT)
-        .x_labels(6)
-        .y_labels(7)
-        .x_desc(x_name)
-        .y_desc(y_name)
-        .x_label_formatter(&|x| tick(*x, across))
-        .y_label_formatter(&|y| tick(*y, up))
-        .label_style((FONT, SMALL))
-        .axis_desc_style((FONT, SMALL + 1))
-        .draw()?;
-    Ok(chart)
-}
-
-/// A tick of an axis of this length, without the digits that its step does not have.
-fn tick(x: f64, length: f64) -> String {
-    if x.abs() < 1e-9 * length {
-        return "0".into();
-    }
-    let rounded: f64 = format!("{x:.3e}").parse().unwrap_or(x);
-    figure(rounded)
 }
 
 /// The path in a plane, touch by touch, and a mark where it is now.

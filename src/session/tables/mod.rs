@@ -4,8 +4,10 @@
 mod contacts;
 mod particles;
 mod profile;
+mod vtk;
 
 pub(super) use profile::table as profile;
+pub(super) use vtk::polydata;
 
 use crate::language::command::DumpOf;
 use crate::measure::sample::Sample;

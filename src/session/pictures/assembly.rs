@@ -1,0 +1,150 @@
+//! The assembly as a picture: discs, walls, and a rectangle through each contact along its force, as
+//! long as the radii together and as wide as the force is large (Strack & Cundall 1978).
+//!
+//! Written by hand: a plotting library places discs on whole pixels, and an assembly of thousands
+//! needs better.
+
+use crate::measure::frame::{Picture, Touch};
+use crate::session::figure::rough;
+
+/// Longer side of the assembly [pixels].
+const SIZE: f64 = 900.0;
+
+/// Room around it, and for a line of text below [pixels].
+const MARGIN: f64 = 16.0;
+const FOOT: f64 = 28.0;
+
+/// Width of the widest rectangle over the mean radius.
+const WIDEST: f64 = 1.0;
+
+/// The picture as SVG.
+pub(super) fn svg(picture: &Picture, cycle: u64) -> String {
+    let map = Map::of(picture);
+    let (width, height) = (
+        map.size[0] + 2.0 * MARGIN,
+        map.size[1] + 2.0 * MARGIN + FOOT,
+    );
+    let mut text = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width:.0}\" height=\"{height:.0}\" \
+         viewBox=\"0 0 {width:.1} {height:.1}\">\n<rect width=\"100%\" height=\"100%\" \
+         fill=\"white\"/>\n"
+    );
+    text.push_str("<g fill=\"#f2f2f2\" stroke=\"#808080\" stroke-width=\"0.6\">\n");
+    for disc in &picture.discs {
+        let [x, y] = map.at(disc.at);
+        let radius = disc.radius * map.scale;
+        let fill = if disc.driven { " fill=\"#d0d0d0\"" } else { "" };
+        text.push_str(&format!(
+            "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius:.2}\"{fill}/>\n"
+        ));
+    }
+    text.push_str("</g>\n<g stroke=\"black\" stroke-width=\"2\" stroke-linecap=\"round\">\n");
+    for wall in &picture.walls {
+        let [[x1, y1], [x2, y2]] = wall.ends.map(|end| map.at(end));
+        text.push_str(&format!(
+            "<line x1=\"{x1:.2}\" y1=\"{y1:.2}\" x2=\"{x2:.2}\" y2=\"{y2:.2}\"/>\n"
+        ));
+    }
+    text.push_str("</g>\n<g stroke=\"#0072b2\">\n");
+    let sizes = sizes(picture);
+    let most = picture.touches.iter().map(Touch::force).fold(0.0, f64::max);
+    let radii: f64 = picture.discs.iter().map(|disc| disc.radius).sum();
+    let widest = WIDEST * map.scale * radii / picture.discs.len().max(1) as f64;
+    for touch in picture.touches.iter().filter(|touch| touch.force() > 0.0) {
+        let [[x1, y1], [x2, y2]] = ends(touch, &sizes).map(|end| map.at(end));
+        let bar = widest * touch.force() / most;
+        let colour = if touch.sliding {
+            " stroke=\"#d55e00\""
+        } else {
+            ""
+        };
+        text.push_str(&format!(
+            "<line x1=\"{x1:.2}\" y1=\"{y1:.2}\" x2=\"{x2:.2}\" y2=\"{y2:.2}\" \
+             stroke-width=\"{bar:.3}\"{colour}/>\n"
+        ));
+    }
+    let foot = format!(
+        "cycle {cycle}: {} particles, {} contacts, widest bar {} N; orange: sliding; scale bar {} m",
+        picture.discs.len(),
+        picture.touches.len(),
+        rough(most),
+        rough(map.bar()),
+    );
+    let (x, y) = (MARGIN, height - 0.4 * FOOT);
+    let reach = x + map.bar() * map.scale;
+    text.push_str(&format!(
+        "</g>\n<line x1=\"{x:.2}\" y1=\"{up:.2}\" x2=\"{reach:.2}\" y2=\"{up:.2}\" stroke=\"black\" \
+         stroke-width=\"3\"/>\n<text x=\"{x:.2}\" y=\"{y:.2}\" font-family=\"sans-serif\" \
+         font-size=\"13\">{foot}</text>\n</svg>\n",
+        up = y - 16.0,
+    ));
+    text
+}
+
+/// Radii [m] by the numbers of the discs, ascending.
+fn sizes(picture: &Picture) -> Vec<(u32, f64)> {
+    let sizes = picture.discs.iter().map(|disc| (disc.id, disc.radius));
+    let mut sizes: Vec<_> = sizes.collect();
+    sizes.sort_unstable_by_key(|(id, _)| *id);
+    sizes
+}
+
+/// Ends of the rectangle of a contact [m]: through it, or through the middle of the radius at a wall,
+/// along the force on its first body.
+fn ends(touch: &Touch, sizes: &[(u32, f64)]) -> [[f64; 2]; 2] {
+    let e = touch.normal;
+    let force = [
+        touch.n * e[0] + touch.t * e[1],
+        touch.n * e[1] - touch.t * e[0],
+    ];
+    let size = touch.force();
+    let first = sizes.binary_search_by_key(&touch.first, |(id, _)| *id);
+    let share = match (touch.second, first) {
+        (Some(_), Ok(place)) => sizes[place].1 / touch.length,
+        _ => 0.5,
+    };
+    let [from, to] = touch.ends;
+    let middle = [0, 1].map(|k| from[k] + share * (to[k] - from[k]));
+    [-0.5, 0.5].map(|side| [0, 1].map(|k| middle[k] + side * touch.length * force[k] / size))
+}
+
+/// From metres to pixels.
+struct Map {
+    low: [f64; 2],
+    /// Pixels per metre.
+    scale: f64,
+    /// Of the assembly [pixels].
+    size: [f64; 2],
+}
+
+impl Map {
+    fn of(picture: &Picture) -> Self {
+        let [low, high] = picture.bounds;
+        let span = [0, 1].map(|k| (high[k] - low[k]).max(1e-300));
+        let scale = SIZE / span[0].max(span[1]);
+        Self {
+            low,
+            scale,
+            size: span.map(|span| span * scale),
+        }
+    }
+
+    fn at(&self, x: [f64; 2]) -> [f64; 2] {
+        [
+            MARGIN + (x[0] - self.low[0]) * self.scale,
+            MARGIN + self.size[1] - (x[1] - self.low[1]) * self.scale,
+        ]
+    }
+
+    /// Length of the scale bar [m]: 1, 2 or 5 times a power of ten, up to a quarter of the width.
+    fn bar(&self) -> f64 {
+        let most = 0.25 * self.size[0] / self.scale;
+        let decade = format!("1e{:.0}", libm::log10(most).floor());
+        let decade: f64 = decade.parse().unwrap_or(1.0);
+        let lengths = [5.0, 2.0, 1.0].map(|factor| factor * decade);
+        lengths
+            .into_iter()
+            .find(|length| *length <= most)
+            .unwrap_or(decade)
+    }
+}
