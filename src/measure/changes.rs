@@ -1,6 +1,7 @@
 //! What has changed since the reference: contacts broken and made, rotations (Randall 1989, 4.2 and
 //! fig. 6.35).
 
+use super::frame::home;
 use super::link::Link;
 use super::reference::{Reference, Was};
 use super::tensor::ratio;
@@ -106,7 +107,7 @@ pub fn lattice(world: &World, reference: &Reference) -> Vec<(Bond, [[f64; 2]; 2]
     let mut touching = Vec::new();
     let id = |p: usize| world.particles().id[p];
     for link in Link::all(world).filter(Link::is_touching) {
-        let from = world.position(link.first);
+        let from = home(world, world.position(link.first));
         let reach: f64 = link.arms.iter().sum();
         let to = [0, 1].map(|k| from[k] + reach * link.e[k]);
         let bond = if reference.touched(world, &link) {
@@ -120,14 +121,39 @@ pub fn lattice(world: &World, reference: &Reference) -> Vec<(Bond, [[f64; 2]; 2]
         }
     }
     touching.sort_unstable();
-    let place = |id: u32| Some(world.position(world.particles().index(id)?));
+    let place = |id: u32| {
+        let p = world.particles().index(id)?;
+        Some(home(world, world.position(p)))
+    };
     for (first, other) in reference.contacts() {
         if let Was::Particle(second) = other
             && touching.binary_search(&[first, second]).is_err()
             && let (Some(from), Some(to)) = (place(first), place(second))
         {
-            bonds.push((Bond::Broken, [from, to]));
+            bonds.push((Bond::Broken, [from, nearest(world, from, to)]));
         }
     }
     bonds
+}
+
+/// Of a point and its images in a periodic cell, the one nearest to another point [m].
+fn nearest(world: &World, from: [f64; 2], to: [f64; 2]) -> [f64; 2] {
+    let Some(cell) = world.cell() else {
+        return to;
+    };
+    let square = |x: [f64; 2]| {
+        let d = [x[0] - from[0], x[1] - from[1]];
+        d[0] * d[0] + d[1] * d[1]
+    };
+    let mut best = to;
+    for n in -1..=1 {
+        for m in -1..=1 {
+            let shift = cell.shift([n, m]);
+            let image = [to[0] + shift[0], to[1] + shift[1]];
+            if square(image) < square(best) {
+                best = image;
+            }
+        }
+    }
+    best
 }

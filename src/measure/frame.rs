@@ -86,21 +86,12 @@ impl Picture {
             ..Self::default()
         };
         let particles = world.particles();
-        let origin = world.origin();
-        // A particle that has left a periodic cell is drawn where it came in again.
-        let home = |x: [f64; 2]| match world.cell() {
-            None => x,
-            Some(cell) => {
-                let x = cell.home([x[0] - origin[0], x[1] - origin[1]]);
-                [x[0] + origin[0], x[1] + origin[1]]
-            }
-        };
         for p in 0..particles.len() {
             let (velocity, spin) = world.velocity(p);
             let row = &particles.row[p];
             picture.discs.push(Disc {
                 id: particles.id[p],
-                at: home(world.position(p)),
+                at: home(world, world.position(p)),
                 radius: row.radius,
                 velocity,
                 spin,
@@ -116,7 +107,7 @@ impl Picture {
                 (i, Other::Particle(j)) => (i, Some(j), None),
                 (i, Other::Wall(w)) => (i, None, Some(w)),
             };
-            let from = home(world.position(first));
+            let from = home(world, world.position(first));
             let to = [0, 1].map(|axis| from[axis] + g.distance * g.e[axis]);
             let reach = second.map_or(0.0, |j| particles.row[j].radius);
             picture.touches.push(Touch {
@@ -145,6 +136,7 @@ impl Picture {
             });
         }
         if let Some(cell) = world.cell() {
+            let origin = world.origin();
             let corner = |n: i16, m: i16| {
                 let shift = cell.shift([n, m]);
                 [0, 1].map(|k| cell.corner[k] + shift[k] + origin[k])
@@ -158,6 +150,18 @@ impl Picture {
             }
         }
         picture
+    }
+}
+
+/// Where a particle at x is drawn [m]: one that has left a periodic cell, where it came in again.
+pub(super) fn home(world: &World, x: [f64; 2]) -> [f64; 2] {
+    let origin = world.origin();
+    match world.cell() {
+        None => x,
+        Some(cell) => {
+            let x = cell.home([x[0] - origin[0], x[1] - origin[1]]);
+            [x[0] + origin[0], x[1] + origin[1]]
+        }
     }
 }
 

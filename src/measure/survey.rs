@@ -4,6 +4,7 @@
 use super::changes::{Bond, Changes, lattice, slid};
 use super::contact_area::normal_stresses;
 use super::fabric::Fabric;
+use super::frame::home;
 use super::histogram::Histogram;
 use super::link::{Link, normal_forces};
 use super::obliquity::Obliquity;
@@ -167,7 +168,7 @@ fn slid_contacts(world: &World) -> Vec<Slid> {
     let touching = Link::all(world).filter(Link::is_touching);
     let found = touching.filter_map(|link| {
         let way = slid(world, link.place).filter(|way| *way > 0.0)?;
-        let from = world.position(link.first);
+        let from = home(world, world.position(link.first));
         Some(Slid {
             at: [0, 1].map(|k| from[k] + link.arms[0] * link.e[k]),
             along: link.t.into(),

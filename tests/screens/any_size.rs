@@ -116,6 +116,10 @@ fn spoil_survey(survey: &mut Survey, odd: f64) {
     if let Some(obliquity) = &mut survey.obliquity {
         obliquity.contacts[2] = [odd, odd, 1.0];
     }
+    if let Some(profile) = &mut survey.profile {
+        profile.rings[1].disc_area = odd;
+        profile.rings[4].outer = odd;
+    }
     for histogram in [&mut survey.contact_stress, &mut survey.normal_force] {
         let Some(histogram) = histogram else { continue };
         histogram.bars[2] = odd;

@@ -15,6 +15,7 @@ use ballast::measure::columns::Column;
 use ballast::measure::frame::{Disc, Picture, Stroke, Touch};
 use ballast::measure::histogram::Histogram;
 use ballast::measure::obliquity::Obliquity;
+use ballast::measure::profile::{Profile, Ring};
 use ballast::measure::rose::{PETALS, Rose};
 use ballast::measure::strain::Strain;
 use ballast::measure::stress::Stress;
@@ -120,7 +121,7 @@ fn survey(picture: &Picture) -> Survey {
         contact_stress: Some(Histogram::from_zero(&stresses, 16)),
         normal_force: Some(Histogram::from_zero(&forces, 16)),
         against: Some(against(picture)),
-        profile: None,
+        profile: Some(profile()),
     }
 }
 
@@ -166,6 +167,25 @@ fn against(picture: &Picture) -> Against {
     }
 }
 
+/// Five rings about the middle of the floor, the outermost nearly empty.
+fn profile() -> Profile {
+    let rings = (0..5).map(|k| {
+        let edge = |k: u32| 0.15 * f64::from(k);
+        let mut ring = Ring {
+            inner: edge(k),
+            outer: edge(k + 1),
+            disc_area: 0.0,
+            particles: 1,
+        };
+        ring.disc_area = ring.area() * (0.8 - 0.15 * f64::from(k));
+        ring
+    });
+    Profile {
+        centre: [0.4, 0.0],
+        rings: rings.collect(),
+    }
+}
+
 /// What is measured where nothing touches.
 pub(crate) fn survey_of_nothing() -> Survey {
     let mut survey = survey(&Picture::default());
@@ -174,6 +194,10 @@ pub(crate) fn survey_of_nothing() -> Survey {
     let tensors = survey.tensors.as_mut().expect("it is there");
     tensors.stress.total.fill(0.0);
     tensors.strain = None;
+    survey.profile = Some(Profile {
+        centre: [0.0; 2],
+        rings: Vec::new(),
+    });
     survey
 }
 

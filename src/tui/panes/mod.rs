@@ -12,6 +12,7 @@ pub mod monitor;
 pub mod numbers;
 pub mod path;
 pub mod presets;
+pub mod profile;
 pub mod rose;
 pub mod status;
 
@@ -41,6 +42,8 @@ pub enum PaneId {
     StressPath,
     /// Circles of Mohr.
     MohrCircle,
+    /// Porosity by distance.
+    Profile,
     /// FRACC, stability bound, warnings.
     Monitor,
     /// Values of the columns.
@@ -88,6 +91,7 @@ pub const PANES: &[(PaneId, Pane)] = &[
     (PaneId::Histogram, histogram::PANE),
     (PaneId::StressPath, path::PANE),
     (PaneId::MohrCircle, mohr::PANE),
+    (PaneId::Profile, profile::PANE),
     (PaneId::Monitor, monitor::PANE),
     (PaneId::Numbers, numbers::PANE),
     (PaneId::Energy, energy::PANE),
