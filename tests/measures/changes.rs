@@ -4,6 +4,8 @@ use ballast::engine::World;
 use ballast::engine::setup::TimeStepChoice;
 use ballast::measure::changes::{Bond, Changes, lattice};
 use ballast::measure::reference::Reference;
+use ballast::scene::Scene;
+use ballast::session::{Options, Session};
 
 use crate::packing::{box_of, built, compressed, run, setup};
 
@@ -112,4 +114,46 @@ fn regions_side_by_side_share_the_changes() {
     assert_eq!(count(Bond::Made) as f64, all.made);
     // Broken contacts at walls are not drawn.
     assert!(count(Bond::Broken) as f64 <= all.broken);
+}
+
+/// Two discs that touch through the edge of a periodic cell and part: each bond is as long as the
+/// shortest way between them, not across the cell.
+#[test]
+fn bonds_through_the_edge_of_a_cell_are_short() {
+    let text = r#"
+        [model]
+        body = "disc"
+        time_step = 1e-3
+        [material.disc]
+        density = 1000.0
+        normal_stiffness = 1e4
+        shear_stiffness = 1e4
+        [cell]
+        size = [1.0, 1.0]
+        [[particle]]
+        at = [-0.45, 0.0]
+        radius = 0.051
+        material = "disc"
+        driven = true
+        velocity = [1.0, 0.0]
+        [[particle]]
+        at = [0.45, 0.0]
+        radius = 0.051
+        material = "disc"
+        driven = true
+    "#;
+    let scene = Scene::parse("edge", text, &[]).unwrap();
+    let mut session = Session::open(scene, Options::default()).unwrap();
+    let world = session.world_mut();
+    let reference = Reference::of(world);
+    let of = |world: &World, bond: Bond| {
+        let bonds = lattice(world, &reference);
+        assert!(bonds.len() == 1 && bonds[0].0 == bond, "{bonds:?}");
+        let [from, to] = bonds[0].1;
+        (to[0] - from[0]).abs()
+    };
+    assert!((of(world, Bond::Kept) - 0.1).abs() < 1e-15);
+    // It moves away from the edge by 0.01 m.
+    run(world, 10);
+    assert!((of(world, Bond::Broken) - 0.11).abs() < 1e-12);
 }

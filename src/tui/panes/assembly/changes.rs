@@ -36,7 +36,10 @@ pub(super) fn draw(
                 draw_turn(disc, moved.rotation / scale, map, dots);
             }
         }
-        Compared::Sliding => draw_slid(against.slid.as_deref().unwrap_or_default(), map, dots),
+        Compared::Sliding => {
+            let slid = against.slid.as_deref().unwrap_or_default();
+            draw_slid(picture, slid, map, dots);
+        }
         Compared::Displacements => {
             let scale = STROKE * map.cell / displacement_scale(against);
             for (disc, moved) in moved(picture, against) {
@@ -52,9 +55,12 @@ pub(super) fn draw(
     }
 }
 
-/// A bar across each contact that slid, as long as it slid.
-fn draw_slid(slid: &[Slid], map: &Map, dots: &mut Dots) {
-    let half = 0.5 * STROKE * map.cell / slid_scale(slid);
+/// A bar across each contact that slid, as long as it slid: at most a mean diameter, or bars would hide
+/// each other.
+fn draw_slid(picture: &Picture, slid: &[Slid], map: &Map, dots: &mut Dots) {
+    let radii = picture.discs.iter().map(|disc| disc.radius);
+    let mean = radii.sum::<f64>() / picture.discs.len().max(1) as f64;
+    let half = mean * map.per_metre[0] / slid_scale(slid);
     let down = map.per_metre[1] / map.per_metre[0];
     for Slid { at, along, way } in slid {
         let middle = map.at(*at);
@@ -65,7 +71,8 @@ fn draw_slid(slid: &[Slid], map: &Map, dots: &mut Dots) {
                 middle[1] - side * reach * along[1] * down,
             ]
         };
-        dots.bar(end(-1.0), end(1.0), 2, Ink::Force(3));
+        let thick = if map.cell > 1.0 { 2 } else { 1 };
+        dots.bar(end(-1.0), end(1.0), thick, Ink::Force(3));
     }
 }
 
@@ -101,10 +108,14 @@ fn draw_lattice(against: &Against, map: &Map, dots: &mut Dots) {
     }
 }
 
+/// Rows of the radius below which an arc would not be read: the sign stands alone.
+const ARC_ROWS: f64 = 2.0;
+
 /// An arc from the top of a disc on: to the left for a turn counter-clockwise.
 fn draw_turn(disc: &Disc, share: f64, map: &Map, dots: &mut Dots) {
     let (centre, radii) = (map.at(disc.at), map.radii(disc.radius));
-    if !share.is_finite() || share == 0.0 || !dots.sees(centre, radii) {
+    let is_small = radii[1] < ARC_ROWS * map.row;
+    if !share.is_finite() || share == 0.0 || is_small || !dots.sees(centre, radii) {
         return;
     }
     let ink = if share > 0.0 {
@@ -143,7 +154,7 @@ pub(super) fn write_senses(
             && row >= 0.0
             && column < f64::from(area.width)
             && row < f64::from(area.height);
-        if !inside || radii[1] < 1.2 * down || moved.rotation == 0.0 {
+        if !inside || radii[1] < 0.6 * down || moved.rotation == 0.0 {
             continue;
         }
         let sense = if moved.rotation > 0.0 { "+" } else { "-" };
@@ -223,7 +234,7 @@ pub(super) fn write_legend(app: &App, against: &Against, (line, buffer): (Rect, 
         Compared::Rotations => {
             let largest = against.displaced.iter().map(|moved| moved.rotation.abs());
             let scale = plain(rotation_scale(against));
-            let text = format!("arc left, +: counter-clockwise; 3/4 turn = {scale} rad");
+            let text = format!("+, arc to the left: counter-clockwise; 3/4 turn = {scale} rad");
             unless(
                 largest.fold(0.0, f64::max),
                 "no disc has turned since then",
@@ -238,7 +249,7 @@ pub(super) fn write_legend(app: &App, against: &Against, (line, buffer): (Rect, 
             Some(slid) => {
                 let scale = plain(slid_scale(slid));
                 let text = format!(
-                    "{STROKE} columns = {scale} m slid; {} of {} contacts",
+                    "a mean diameter = {scale} m slid; {} of {} contacts",
                     slid.len(),
                     count(Bond::Kept) + count(Bond::Made)
                 );

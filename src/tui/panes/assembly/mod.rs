@@ -123,6 +123,8 @@ struct Map {
     per_metre: [f64; 2],
     /// Dots across one cell.
     cell: f64,
+    /// Dots down one cell.
+    row: f64,
 }
 
 impl Map {
@@ -130,12 +132,14 @@ impl Map {
         let [across, down] = dots.size().map(|n| n as f64);
         let aspect = dots.aspect();
         let [low, high] = app.view.window(fitted(picture), across, down * aspect);
+        let [cell, row] = crate::tui::dots::per_cell(app.look.points);
         let per_metre = across.max(1.0) / (high[0] - low[0]);
         Self {
             low,
             high,
             per_metre: [per_metre, per_metre / aspect],
-            cell: crate::tui::dots::per_cell(app.look.points)[0] as f64,
+            cell: cell as f64,
+            row: row as f64,
         }
     }
 
