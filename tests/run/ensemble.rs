@@ -64,7 +64,7 @@ fn each_seed_gives_what_it_gives_alone_however_many_run_at_a_time() {
         let words = format!("p.toml --seeds 3..=5 --threads {threads} --csv {name}.csv");
         let said = said(&run(folder, &words));
         for hint in [
-            "seeds 3..5: 3 of 3 told of",
+            "seeds 3..5: 3 of 3 runs counted",
             "-seedK.csv",
             "nothing in this preset is random",
             "seed 4: 65 cycles",
@@ -173,7 +173,7 @@ fn a_seed_that_fails_loses_no_other() {
         &[
             "seed 2: ballast: ",
             "it is a folder",
-            "2 of 3 told of, failed: 2",
+            "2 of 3 runs counted, failed: 2",
         ],
     );
     assert!(!message.contains("panicked"), "{message}");

@@ -25,7 +25,7 @@ fn start(folder: &Path, words: &[&str]) -> Child {
 }
 
 /// Waits until something is so, or the child has ended.
-fn until(child: &mut Child, is_so: impl Fn() -> bool) {
+pub(super) fn until(child: &mut Child, is_so: impl Fn() -> bool) {
     let begun = Instant::now();
     while !is_so() && child.try_wait().expect("it can be asked").is_none() {
         assert!(begun.elapsed() < PATIENCE, "it never begins");
@@ -54,14 +54,14 @@ fn interrupted(folder: &Path, words: &[&str], signal: &str, file: &str) -> Outpu
 }
 
 /// Whether a process catches a signal.
-fn catches(process: u32, signal: u32) -> bool {
+pub(super) fn catches(process: u32, signal: u32) -> bool {
     let status = fs::read_to_string(format!("/proc/{process}/status")).unwrap_or_default();
     let mask = status.lines().find_map(|line| line.strip_prefix("SigCgt:"));
     let mask = mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
     mask.is_some_and(|mask| mask & (1 << (signal - 1)) != 0)
 }
 
-fn kill(child: &Child, signal: &str) {
+pub(super) fn kill(child: &Child, signal: &str) {
     let line = format!("kill -{signal} {}", child.id());
     let done = Command::new("sh").args(["-c", &line]).status();
     assert!(done.expect("there is a shell").success());

@@ -139,13 +139,16 @@ fn told(ran: Ran, signal: Option<Signal>) -> Member {
     let ended = ran.status == 0 || signal.is_some_and(|s| s.exit_status() == ran.status);
     match ran.session {
         Some(session) if ended => Member::Told(session.into_recording()),
+        // Its sample was still being prepared.
+        None if ended && ran.status != 0 => Member::Skipped,
         _ => Member::Failed,
     }
 }
 
 /// Writes what there is to tell of all of them; answers the exit status.
 fn write(options: &Run, scene: &Scene, members: &[Member]) -> u8 {
-    if options.csv.is_none() {
+    let runs = recordings(members);
+    if options.csv.is_none() || runs.is_empty() {
         return 0;
     }
     let stages: Vec<String> = scene
@@ -153,7 +156,7 @@ fn write(options: &Run, scene: &Scene, members: &[Member]) -> u8 {
         .iter()
         .map(|stage| stage.name.clone())
         .collect();
-    let table = table(&stages, &recordings(members));
+    let table = table(&stages, &runs);
     match file(options) {
         None => print(&String::from_utf8_lossy(table.bytes())),
         Some(path) => match whole_file::write(path, table.bytes()) {
@@ -177,7 +180,11 @@ fn recordings(members: &[Member]) -> Vec<&Recording> {
 /// How it went, in a few lines.
 fn summary(options: &Run, seeds: Seeds, all: &[u64], members: &[Member], seconds: f64) -> String {
     let runs = recordings(members);
-    let mut text = format!("seeds {seeds}: {} of {} told of", runs.len(), all.len());
+    let mut text = format!(
+        "seeds {seeds}: {} of {} runs counted",
+        runs.len(),
+        all.len()
+    );
     let named = |wanted: fn(&Member) -> bool| {
         let found = all.iter().zip(members).filter(|(_, run)| wanted(run));
         let names: Vec<String> = found.map(|(seed, _)| seed.to_string()).collect();
@@ -192,7 +199,7 @@ fn summary(options: &Run, seeds: Seeds, all: &[u64], members: &[Member], seconds
         }
     }
     text += &format!(", {seconds:.2} s");
-    if let Some(csv) = file(options) {
+    if let Some(csv) = file(options).filter(|_| !runs.is_empty()) {
         text += &format!(
             "\n{} holds mean, standard deviation, minimum and maximum; each seed is in {}",
             csv.display(),
