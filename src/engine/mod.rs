@@ -18,7 +18,7 @@ mod origin;
 pub mod pair;
 pub mod particles;
 pub mod plan;
-mod restart;
+pub mod restart;
 pub mod setup;
 pub mod step;
 pub mod threads;

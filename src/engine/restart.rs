@@ -5,10 +5,20 @@
 
 use super::World;
 use super::auto_step::StepChanges;
+use super::boundary::Boundary;
 use super::fault::Fault;
 use super::ledger::Ledger;
 use super::setup::{ParticleSetup, Setup, WallSetup};
 use super::world::FraccMonitor;
+
+/// What a sample brings to a world besides what a setup can say.
+#[derive(Debug, Clone, Default)]
+pub struct Brought {
+    /// Numbers of the first particles, ascending; the others follow.
+    pub numbers: Vec<u32>,
+    /// The boundary as it is by now, in the coordinates of the preset.
+    pub boundary: Option<Boundary>,
+}
 
 /// Number of the particle at place p, where the first ones have these numbers, ascending, and the
 /// others follow.
@@ -20,13 +30,16 @@ pub(super) fn number(ids: &[u32], p: usize) -> u32 {
 impl World {
     /// Builds the world of a setup, particles numbered from 1, and evaluates its first forces.
     pub fn build(setup: Setup, threads: usize) -> Result<Self, Fault> {
-        Self::build_numbered(setup, &[], threads)
+        Self::build_from(setup, &Brought::default(), threads)
     }
 
     /// The particles as they are placed, with their numbers and the indices of their materials here:
-    /// at rest, with the forces that were applied to them, and fixed as they were.
+    /// at rest, with the forces that were applied to them, and fixed as they were. Those of a ring are
+    /// free: whatever holds them now will hold them again.
     pub fn particles_at_rest(&self) -> Vec<(u32, ParticleSetup)> {
         let p = &self.particles;
+        let ring = self.boundary.as_ref().and_then(Boundary::ring);
+        let held = |id| ring.is_some_and(|ring| ring.members.binary_search(&id).is_ok());
         let particle = |k: usize| ParticleSetup {
             at: self.position(k),
             radius: p.row[k].radius,
@@ -34,10 +47,25 @@ impl World {
             velocity: [0.0; 2],
             spin: 0.0,
             angle: p.row[k].angle,
-            force: p.applied[k],
-            fixed: p.fixed[k],
+            force: if held(p.id[k]) {
+                [0.0; 2]
+            } else {
+                p.applied[k]
+            },
+            fixed: if held(p.id[k]) {
+                [false; 3]
+            } else {
+                p.fixed[k]
+            },
         };
         (0..p.len()).map(|k| (p.id[k], particle(k))).collect()
+    }
+
+    /// The boundary where it is, in the coordinates of the preset: nothing is imposed by it.
+    pub fn boundary_at_rest(&self) -> Option<Boundary> {
+        let mut boundary = self.boundary.as_ref()?.moved(self.origin);
+        boundary.rest();
+        Some(boundary)
     }
 
     /// The walls where they are, at rest.
@@ -58,7 +86,8 @@ impl World {
     }
 
     /// A world that was read from a checkpoint goes on as the start of another run: nothing of its
-    /// state changes, but cycles, time and energies are counted from zero. What `setup` chooses
+    /// state changes, but cycles, time, imposed strain and energies are counted from zero, and ramps
+    /// and servos end where they are. What `setup` chooses
     /// otherwise than the world, of damping, gravity, step, rotation and friction, is changed as a
     /// command would. `None` if the memory of its contacts does not fit.
     ///
@@ -76,6 +105,12 @@ impl World {
         self.since = (0.0, 0);
         self.fracc = FraccMonitor::default();
         self.step_changes = StepChanges::default();
+        if let Some(boundary) = &mut self.boundary {
+            boundary.restart();
+        }
+        if let Some(flow) = &mut self.continuum {
+            flow.restart();
+        }
         self.next_id = self.particles.id.last().map_or(1, |id| id + 1);
         self.adopt(setup);
         if setup.ledger {

@@ -14,7 +14,7 @@ use super::origin::far_origin;
 use super::pair::PairTable;
 use super::particles::{Inertia, Mobility, Particles};
 use super::plan::Plan;
-use super::restart::number;
+use super::restart::{Brought, number};
 use super::setup::{Body, Gravity, Setup};
 use super::threads::Threads;
 use super::time_step;
@@ -82,8 +82,9 @@ pub struct FraccMonitor {
 }
 
 impl World {
-    /// The same where the first particles have these numbers, ascending; the others follow.
-    pub fn build_numbered(setup: Setup, ids: &[u32], threads: usize) -> Result<Self, Fault> {
+    /// The same with what a sample brings besides its particles and walls.
+    pub fn build_from(setup: Setup, brought: &Brought, threads: usize) -> Result<Self, Fault> {
+        let ids = brought.numbers.as_slice();
         let origin = far_origin(&setup.particles);
         let mut particles = Particles::default();
         for (p, particle) in setup.particles.iter().enumerate() {
@@ -98,9 +99,11 @@ impl World {
         let size = (high[0] - low[0]).max(high[1] - low[1]).max(0.0) + 2.0 * smallest;
         let pairs = PairTable::new(&setup);
         let rate = setup.strain_rate;
-        let boundary = setup
+        let own = setup
             .boundary
             .map(|boundary| Boundary::new(boundary, origin, rate));
+        let kept = brought.boundary.as_ref();
+        let boundary = kept.map(|kept| kept.moved(origin.map(|x| -x))).or(own);
         let mut world = Self {
             pairs,
             origin,

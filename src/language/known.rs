@@ -104,7 +104,7 @@ impl Known {
     }
 
     fn a_boundary(&self, command: &Command, line: &str) -> Result<(), Mistake> {
-        if self.boundary.is_some() {
+        if self.boundary.is_some() || self.names.open {
             return Ok(());
         }
         Err(Mistake::new(

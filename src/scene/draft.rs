@@ -81,6 +81,10 @@ pub(crate) struct Draft<'a> {
 
 /// Which tables were written: a sample takes the place of some.
 #[derive(Debug, Clone, Copy, Default)]
+#[allow(
+    clippy::struct_excessive_bools,
+    reason = "which tables were written is a list of yes and no"
+)]
 pub(crate) struct Wrote {
     /// `[start]`.
     pub(crate) start: bool,
@@ -88,6 +92,8 @@ pub(crate) struct Wrote {
     pub(crate) particles: bool,
     /// `[[wall]]`.
     pub(crate) walls: bool,
+    /// `[boundary]` or `[cell]`.
+    pub(crate) boundary: bool,
 }
 
 /// Where a table was written and whether all of it could be read.

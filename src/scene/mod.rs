@@ -60,6 +60,7 @@ pub use stage::Stage;
 pub use start::{Keep, Sample, Source, Start, Trouble};
 pub use study::{Question, Reference, Study, Sweep, elements};
 
+use crate::engine::restart::Brought;
 use crate::engine::setup::Setup;
 use crate::language::{Definitions, Observable};
 use crate::measure::region::Region;
@@ -196,10 +197,20 @@ impl Scene {
         })
     }
 
-    /// Numbers of the particles that come from a sample: the first ones.
-    pub fn numbers(&self) -> Vec<u32> {
-        let particles = self.sample.iter().flat_map(|sample| &sample.particles);
-        particles.map(|(number, _)| *number).collect()
+    /// What a sample brings besides its particles and walls.
+    pub fn brought(&self) -> Brought {
+        let Some(sample) = &self.sample else {
+            return Brought::default();
+        };
+        let numbers = sample.particles.iter().map(|(number, _)| *number);
+        let kept = sample.boundary.as_ref();
+        Brought {
+            numbers: numbers.collect(),
+            // One that the preset itself names is another.
+            boundary: kept
+                .filter(|kept| self.setup.boundary == Some(kept.setup()))
+                .cloned(),
+        }
     }
 
     fn again(&self, overrides: &[String], given: Given<'_>) -> Result<Self, Rejection> {

@@ -68,6 +68,7 @@ pub(crate) fn read_all<'a>(document: &'a Table, report: &'a Report, given: Given
         start: wrote("start"),
         particles: wrote("particle") || wrote("generate"),
         walls: wrote("wall"),
+        boundary: wrote("boundary") || wrote("cell"),
     };
     for entry in &document.entries {
         if super::SECTIONS

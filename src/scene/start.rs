@@ -7,6 +7,7 @@ use super::draft::{Draft, Mark};
 use super::key::{Absent, Form, Key};
 use super::reader::Reader;
 use super::section::{Section, Shape};
+use crate::engine::boundary::Boundary;
 use crate::engine::setup::{ParticleSetup, WallSetup};
 
 /// What a scene starts from.
@@ -52,6 +53,8 @@ pub struct Sample {
     pub particles: Vec<(u32, ParticleSetup)>,
     /// Walls at rest.
     pub walls: Vec<WallSetup>,
+    /// The boundary as it is by then, imposing nothing.
+    pub boundary: Option<Boundary>,
     /// Names of the materials.
     pub materials: Vec<String>,
     /// The checkpoint that holds all of it.
@@ -159,12 +162,14 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
     let Some(from) = from else {
         return;
     };
-    if keep == Keep::All && (draft.wrote.particles || draft.wrote.walls) {
+    let wrote = draft.wrote;
+    if keep == Keep::All && (wrote.particles || wrote.walls || wrote.boundary) {
         reader.refuse(
             "keep",
-            "keep = \"all\" goes on with a whole state, and this preset lists particles or walls",
-            "a state holds its own particles and walls",
-            "leave [[particle]] and [[wall]] out and make new ones by commands of a stage, or write \
+            "keep = \"all\" goes on with a whole state, and this preset lists particles, walls or a \
+             boundary",
+            "a state holds its own particles, walls and boundary",
+            "leave [[particle]], [[wall]], [boundary] and [cell] out and make new ones by commands of a stage, or write \
              keep = \"particles\"",
         );
     }
@@ -283,6 +288,11 @@ fn take<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>, sample: &Sample) {
         draft.known.names.walls.push(wall.name.clone());
         draft.ever.walls.push(wall.name.clone());
         draft.walls.push(mark);
+    }
+    if let Some(boundary) = &sample.boundary
+        && !draft.wrote.boundary
+    {
+        draft.set_boundary(boundary.setup());
     }
     draft.sampled = [sample.particles.len(), walls.len()];
 }

@@ -47,6 +47,8 @@ pub(super) struct Held {
     pub(super) world: World,
     /// What was done.
     pub(super) journal: Journal,
+    /// What steered its boundary and walls.
+    pub(super) control: Control,
     /// Stage that was being run.
     pub(super) stage: usize,
     /// Stages that ended at `max_cycles` although they have a condition.
@@ -59,6 +61,7 @@ pub(super) fn held(bytes: &[u8]) -> Result<Held, CheckpointFault> {
     Ok(Held {
         world: saved.world,
         journal: saved.journal,
+        control: saved.control,
         stage: saved.course.stage,
         cut_short: saved.course.cut_short,
     })

@@ -67,6 +67,53 @@ impl Boundary {
         }
     }
 
+    /// The same where the origin of coordinates is further back by this much [m].
+    pub(super) fn moved(&self, by: [f64; 2]) -> Self {
+        let there = |x: [f64; 2]| [x[0] + by[0], x[1] + by[1]];
+        let mut moved = self.clone();
+        moved.centre = there(self.centre);
+        if let Kind::Cell(cell) = &mut moved.kind {
+            cell.corner = there(cell.corner);
+        }
+        moved
+    }
+
+    /// Nothing is imposed any more, and no strain has been.
+    pub(super) fn rest(&mut self) {
+        self.straining = Straining::default();
+        if let Kind::Ring(ring) = &mut self.kind {
+            ring.hold();
+        }
+    }
+
+    /// What is imposed goes on as it is now; ramps and servos end, and strain counts from zero.
+    pub(super) fn restart(&mut self) {
+        self.straining.restart();
+        if let Kind::Ring(ring) = &mut self.kind
+            && let Some(stress) = ring.stress()
+        {
+            ring.carry(stress, 0, 0);
+        }
+    }
+
+    /// What a preset would say of it: of a ring that was strained, the circle of the same area.
+    pub fn setup(&self) -> BoundarySetup {
+        match &self.kind {
+            Kind::Ring(ring) => BoundarySetup::Ring {
+                centre: self.centre,
+                radius: ring.mean_radius(),
+                turning: ring.turning,
+            },
+            Kind::Walls => BoundarySetup::Walls {
+                centre: self.centre,
+            },
+            Kind::Cell(Cell { corner, edges }) => BoundarySetup::Cell {
+                corner: *corner,
+                edges: *edges,
+            },
+        }
+    }
+
     /// The cell, if it is one.
     pub fn cell(&self) -> Option<&Cell> {
         match &self.kind {

@@ -55,6 +55,12 @@ impl Ring {
         x * x + y * y > self.radius * self.radius
     }
 
+    /// Radius of the circle with the area of the curve [m].
+    pub(super) fn mean_radius(&self) -> f64 {
+        let [[a, b], [c, e]] = self.gradient;
+        self.radius * (a * e - b * c).sqrt()
+    }
+
     /// Points of the curve, relative to the centre [m].
     pub fn curve(&self, points: usize) -> impl Iterator<Item = [f64; 2]> + '_ {
         (0..points).map(move |k| {

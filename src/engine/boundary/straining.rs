@@ -78,6 +78,14 @@ impl Straining {
         self.servo = servo;
     }
 
+    /// The rate that was asked for goes on as far as it was reached; strain counts from zero.
+    pub(in crate::engine) fn restart(&mut self) {
+        *self = Self {
+            rate: self.rate,
+            ..Self::default()
+        };
+    }
+
     /// Rate that was asked for, at the end of its ramp [1/s].
     pub fn target(&self) -> Tensor {
         self.ramp.as_ref().map_or(self.rate, Ramp::target)

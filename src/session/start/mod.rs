@@ -79,6 +79,7 @@ fn resolve_at(
     let sample = Sample {
         particles: world.particles_at_rest(),
         walls: world.walls_at_rest(),
+        boundary: world.boundary_at_rest(),
         materials: world
             .model()
             .materials
@@ -103,22 +104,30 @@ pub(super) fn world(scene: &Scene, options: &Options) -> Result<World, RunError>
     let threads = options.threads.max(1);
     let keep = scene.start.as_ref().map(|start| start.keep);
     let (Some(Keep::All), Some(sample)) = (keep, &scene.sample) else {
-        return Ok(World::build_numbered(
+        return Ok(World::build_from(
             scene.setup.clone(),
-            &scene.numbers(),
+            &scene.brought(),
             threads,
         )?);
     };
-    let world = held(&sample.state)
-        .map_err(|fault| scene.refused(&unusable(start_key(scene), &fault.to_string())))?
-        .world;
+    let Held { world, control, .. } = held(&sample.state)
+        .map_err(|fault| scene.refused(&unusable(start_key(scene), &fault.to_string())))?;
     if let Some(misfit) = fit::misfit(&world, scene) {
         return Err(scene.refused(&misfit).into());
     }
-    world.reopen(&scene.setup, threads).ok_or_else(|| {
+    let reopened = world.reopen(&scene.setup, threads);
+    let mut world = reopened.ok_or_else(|| {
         let misfit = unusable("keep", "what its contacts remember does not fit the law");
-        scene.refused(&misfit).into()
-    })
+        RunError::from(scene.refused(&misfit))
+    })?;
+    // Nobody steers them any more.
+    for servo in &control.walls {
+        let steered = world.walls().iter().position(|w| w.name == servo.wall);
+        if let Some(w) = steered {
+            world.set_wall_velocity(w, [0.0; 2]);
+        }
+    }
+    Ok(world)
 }
 
 /// Overrides with which the preset starts from the same sample wherever it is read: for the journal.

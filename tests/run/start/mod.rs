@@ -1,5 +1,6 @@
 //! `[start]`: a run that begins where another one ended.
 
+mod boundaries;
 mod cache;
 mod keeping;
 mod refusals;
