@@ -209,16 +209,30 @@ impl World {
 
     /// Adds a particle; answers its number.
     pub fn create(&mut self, particle: &ParticleSetup) -> u32 {
-        let id = self.next_id;
+        self.create_all(std::slice::from_ref(particle))
+    }
+
+    /// Adds particles at once; answers the number of the first.
+    pub fn create_all(&mut self, particles: &[ParticleSetup]) -> u32 {
+        let first = self.next_id;
         self.booked(|world| {
-            let density = world.model.materials[particle.material].density;
-            let mass = Inertia::of(world.model.body, particle.radius, density);
-            world.particles.push(id, particle, world.origin, mass);
-            world.next_id += 1;
+            for particle in particles {
+                let density = world.model.materials[particle.material].density;
+                let mass = Inertia::of(world.model.body, particle.radius, density);
+                world
+                    .particles
+                    .push(world.next_id, particle, world.origin, mass);
+                world.next_id += 1;
+            }
             world.fit_ledger();
             world.rework();
         });
-        id
+        first
+    }
+
+    /// Cycles done and the number that the next particle takes.
+    pub fn moment(&self) -> (u64, u32) {
+        (self.cycle, self.next_id)
     }
 
     /// Removes the particle at index p; the others keep their numbers.

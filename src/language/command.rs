@@ -16,6 +16,7 @@ pub use super::verbs::damp::Damper;
 pub use super::verbs::delete::ParticleRange;
 pub use super::verbs::export::{ContactFile, DumpOf, Export, PictureOf};
 pub use super::verbs::friction::FrictionOf;
+pub use super::verbs::generate::{Generate, GeneratePlace, MOST_GENERATED};
 pub use super::verbs::history::HistoryChange;
 pub use super::verbs::particle::ParticleChange;
 pub use super::verbs::print::{Measure, Printout};
@@ -30,6 +31,8 @@ pub use super::verbs::wall::WallChange;
 pub enum Command {
     /// Adds a particle.
     Create(Create),
+    /// Adds particles at random without contacts.
+    Generate(Generate),
     /// Removes particles.
     Delete(ParticleRange),
     /// Changes the wall of this name.
@@ -144,6 +147,7 @@ impl Command {
     fn verb(&self) -> &'static str {
         match self {
             Self::Create(_) => "create",
+            Self::Generate(_) => "generate",
             Self::Delete(_) => "delete",
             Self::Boundary(_) => "boundary",
             Self::Strain(_) => "strain",
@@ -186,6 +190,7 @@ impl fmt::Display for Command {
         f.write_str(self.verb())?;
         match self {
             Self::Create(create) => write!(f, " {create}"),
+            Self::Generate(generate) => write!(f, " {generate}"),
             Self::Delete(range) => write!(f, " {range}"),
             Self::Wall(name, change) => write!(f, " {name} {change}"),
             Self::Particle(id, change) => write!(f, " {id} {change}"),

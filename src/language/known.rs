@@ -1,7 +1,8 @@
 //! What a line can refer to: walls, particles, regions and materials.
 
 use super::command::{
-    Command, Create, Export, FrictionOf, Goal, HistoryChange, Printout, WallChange,
+    Command, Create, Export, FrictionOf, Generate, Goal, HistoryChange, MOST_GENERATED, Printout,
+    WallChange,
 };
 use super::definition::Definitions;
 use super::mistake::{Mistake, shown};
@@ -24,7 +25,10 @@ impl Known {
     /// Whether everything exists that the command of this line refers to.
     pub fn check(&self, command: &Command, line: &str) -> Result<(), Mistake> {
         match command {
-            Command::Create(Create { material, .. }) => self.material(material.as_ref(), line),
+            Command::Create(Create { material, .. })
+            | Command::Generate(Generate { material, .. }) => {
+                self.material(material.as_ref(), line)
+            }
             Command::Delete(range) => {
                 self.particle(range.first, line)?;
                 self.particle(range.last, line)
@@ -94,6 +98,14 @@ impl Known {
             Command::Create(_) => {
                 let highest = self.names.particles.last().copied().unwrap_or(0);
                 self.names.particles.extend(highest.checked_add(1));
+            }
+            // How many will fit is not known yet: as many numbers as there may be.
+            Command::Generate(generate) => {
+                let highest = self.names.particles.last().copied().unwrap_or(0);
+                let most = generate.most().min(MOST_GENERATED) as usize;
+                self.names
+                    .particles
+                    .extend((highest.saturating_add(1)..u32::MAX).take(most));
             }
             Command::Delete(range) => self.names.particles.retain(|id| !range.contains(*id)),
             Command::Boundary(boundary) => self.boundary = *boundary,
@@ -243,8 +255,10 @@ mod tests {
             "particle 4 free",
             "boundary circle 2",
             "strain rate 1 0 0 1",
+            "generate in circle 0 0 1 radius 0.1 count 2",
+            "particle 6 free",
             "delete 1-3",
-            "delete 4",
+            "delete 4-6",
         ] {
             let command = Command::parse(line).unwrap();
             assert_eq!(known.check(&command, line), Ok(()), "{line}");

@@ -31,6 +31,7 @@ pub struct Card {
 /// All commands, in the order help shows them.
 pub const COMMANDS: &[Card] = &[
     verbs::create::CARD,
+    verbs::generate::CARD,
     verbs::delete::CARD,
     verbs::wall::CARD,
     verbs::particle::CARD,

@@ -3,6 +3,7 @@
 
 use super::answer::Answer;
 use super::dump::Dump;
+use super::enclosed::Enclosed;
 use super::expect::Expect;
 use super::generate::Generated;
 use super::history::History;
@@ -43,6 +44,8 @@ pub(crate) struct Draft<'a> {
     pub(crate) sampled: [usize; 2],
     /// What the world will be built from.
     pub(crate) setup: Setup,
+    /// `[file]`.
+    pub(crate) enclosed: Enclosed<'a>,
     /// `[[generate]]`.
     pub(crate) generated: Vec<Generated>,
     /// `[[measure]]`.
@@ -140,6 +143,7 @@ impl<'a> Draft<'a> {
                 overlap_allowed: false,
                 ledger: false,
             },
+            enclosed: Enclosed::default(),
             generated: Vec::new(),
             regions: Vec::new(),
             region_places: Vec::new(),
@@ -218,12 +222,13 @@ impl<'a> Draft<'a> {
         self.known.follow(command);
         let Known { names, .. } = &self.known;
         match command {
-            Command::Create(_) => {
-                let newest = names.particles.last().copied().unwrap_or_default();
-                // The number may have been another particle's that was deleted.
-                if let Err(at) = self.ever.particles.binary_search(&newest) {
-                    self.ever.particles.insert(at, newest);
-                }
+            Command::Create(_) | Command::Generate(_) => {
+                // Numbers may have been other particles' that were deleted: new ones are above all.
+                let before = self.ever.particles.last().copied().unwrap_or(0);
+                let from = names.particles.partition_point(|&number| number <= before);
+                self.ever
+                    .particles
+                    .extend_from_slice(&names.particles[from..]);
             }
             Command::Wall(name, _) if !self.ever.walls.contains(name) => {
                 self.ever.walls.push(name.clone());

@@ -17,6 +17,7 @@ mod define;
 mod document;
 mod draft;
 mod dump;
+mod enclosed;
 mod expect;
 mod file;
 mod generate;
@@ -51,7 +52,7 @@ pub use about::About;
 pub use answer::Answer;
 pub use dump::{Dump, Format as DumpFormat};
 pub use expect::{Band, Differs, Expect};
-pub use generate::{Generated, SizeGenerated};
+pub use generate::{Around, Generated, SizeGenerated, places};
 pub use history::History;
 pub use reference::{reference_table, reference_text};
 pub use rejection::Rejection;
@@ -79,6 +80,7 @@ const SECTIONS: &[Section] = &[
     start::SECTION,
     particle::SECTION,
     wall::SECTION,
+    enclosed::SECTION,
     generate::SECTION,
     boundary::SECTION,
     cell::SECTION,
@@ -269,7 +271,7 @@ impl Scene {
             drop(draft);
             return Err(Rejection::all(report));
         }
-        let text = report.sources[0].text.clone();
+        let text = enclosed::with_files(report.sources[0].text.clone(), &draft.enclosed);
         Ok(Self::finished(name, text, overrides, draft))
     }
 

@@ -1,7 +1,7 @@
 //! Carrying out a command: the only way anything changes a world.
 
 use super::course::Errand;
-use super::{Refusal, Session, print};
+use super::{Refusal, Session, generate, print};
 use crate::language::command::{Export, Goal, HistoryChange, Printout};
 use crate::language::{COMMANDS, Command, Known};
 use crate::measure::reference::Reference;
@@ -175,6 +175,9 @@ impl Session {
             | Command::Export(..)
             | Command::Journal(_)
             | Command::Source(_) => self.keep(command),
+            Command::Generate(new) => {
+                generate::generate(&mut self.world, self.scene.seed, new).map(Reply::line)
+            }
             other => self.change_world(other).map(Reply::line),
         }
     }

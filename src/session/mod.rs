@@ -13,6 +13,7 @@ mod execute;
 pub mod figure;
 mod files;
 pub mod frames;
+mod generate;
 pub mod inspect;
 mod opening;
 mod pictures;

@@ -52,7 +52,7 @@ const CASES: &[(&str, &str, [&str; 3])] = &[
     (
         "grading = [{ radius = 0.1, count = 3 }]",
         "gap = 0.1",
-        ["generate 1 has no `grading`", "g.toml:6:", "add grading = "],
+        ["generate 1 places nothing", "g.toml:6:", "add grading = "],
     ),
     (
         "rectangle = { min = [0, 0], max = [1, 1] }",
@@ -108,6 +108,78 @@ const CASES: &[(&str, &str, [&str; 3])] = &[
         "radius = 0.1, count = 3",
         "radius = 1e-5",
         ["may fit", "10000000 at most", "give a `count`"],
+    ),
+    (
+        "grading",
+        "spacing = 1\nlattice = \"square\"\ngrading",
+        [
+            "`grading` and `lattice` of generate 1 exclude each other",
+            "means nothing with `grading`",
+            "leave it out",
+        ],
+    ),
+    (
+        "grading = [{ radius = 0.1, count = 3 }]",
+        "lattice = \"square\"",
+        [
+            "generate 1 has no `radius`",
+            "needs the radius",
+            "add radius",
+        ],
+    ),
+    (
+        "grading = [{ radius = 0.1, count = 3 }]",
+        "lattice = \"square\"\nradius = 0.6",
+        [
+            "no site of the lattice lies in the region",
+            "g.toml:8:",
+            "a smaller spacing",
+        ],
+    ),
+    (
+        "grading = [{ radius = 0.1, count = 3 }]",
+        "lattice = \"square\"\nradius = 1e-5",
+        [
+            "the lattice has 2500000000 particles",
+            "g.toml:10:",
+            "10000000 at most",
+        ],
+    ),
+    (
+        "grading = [{ radius = 0.1, count = 3 }]",
+        "lattice = \"hexagonal\"\nradius = 0.05\nperiodic = true",
+        [
+            "does not close: the cell is 1 m high",
+            "a multiple of 0.1732",
+            "make it 1.0392",
+        ],
+    ),
+    (
+        "grading = [{ radius = 0.1, count = 3 }]",
+        "distribution = { kind = \"normal\", mean = 0.01, count = 3, exponent = 2 }",
+        [
+            "the distribution `normal` has no `deviation`",
+            "a normal distribution has no `exponent`",
+            "g.toml:9:",
+        ],
+    ),
+    (
+        "grading = [{ radius = 0.1, count = 3 }]",
+        "distribution = { kind = \"normal\", mean = 0.01, deviation = 0.004, count = 3 }",
+        [
+            "the radii go from -0.00",
+            "expected 0 < min <= max",
+            "give both `min` and `max`",
+        ],
+    ),
+    (
+        "grading = [{ radius = 0.1, count = 3 }]",
+        "distribution = { kind = \"normal\", mean = 0.01, deviation = 0.001, min = 0.02, max = 0.03, count = 3 }",
+        [
+            "hardly any radius",
+            "less than 1 % of it does",
+            "towards the mean",
+        ],
     ),
 ];
 

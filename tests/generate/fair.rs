@@ -96,7 +96,7 @@ fn a_full_periodic_cell_is_as_full_as_known() {
     let tables = "[[generate]]\nmaterial = \"m\"\ngrading = [{ radius = 0.002 }]\nperiodic = true\n\
                   in = { rectangle = { min = [0, 0], max = [1, 1] } }\n";
     let scene = scene_with(tables, &[]);
-    let coverage = 1.0 - scene.generated[0].porosity;
+    let coverage = 1.0 - scene.generated[0].porosity.unwrap();
     let count = scene.setup.particles.len() as f64;
     assert!(count > 40_000.0);
     assert!(

@@ -5,6 +5,10 @@ mod errors;
 mod fair;
 mod lasting;
 mod placing;
+#[path = "../program/mod.rs"]
+mod program;
+mod sources;
+mod typed;
 
 use ballast::engine::setup::ParticleSetup;
 use ballast::scene::Scene;

@@ -78,7 +78,7 @@ fn particles_lie_wholly_inside_a_polygon() {
         "[[generate]]\nmaterial = \"m\"\nin = {{ polygon = {corners:?} }}\ngrading = [{{ radius = 0.03 }}]\n"
     ));
     let particles = &scene.setup.particles;
-    assert!((scene.generated[0].area - 0.64).abs() < 1e-15);
+    assert!((scene.generated[0].area.unwrap() - 0.64).abs() < 1e-15);
     assert!(particles.len() > 80, "{}", particles.len());
     assert!(least_apart(particles) > -ROUNDING);
     for particle in particles {

@@ -2,8 +2,9 @@
 
 use ballast::engine::setup::Gravity;
 use ballast::language::command::{
-    ContactFile, Create, Damper, DumpOf, Export, FrictionOf, Goal, HistoryChange, Measure,
-    ParticleChange, ParticleRange, PictureOf, Printout, Property, Solve, WallChange,
+    ContactFile, Create, Damper, DumpOf, Export, FrictionOf, Generate, GeneratePlace, Goal,
+    HistoryChange, Measure, ParticleChange, ParticleRange, PictureOf, Printout, Property, Solve,
+    WallChange,
 };
 use ballast::language::{COMMANDS, Command, Expression, Known, Observable};
 use ballast::measure::columns::{CONTACT, Column, PARTICLE, Partner, Read, Row, WALL, assembly};
@@ -116,10 +117,38 @@ fn about_bodies() -> impl Strategy<Value = Command> {
                 spin,
             })
         ),
+        generate().prop_map(Command::Generate),
         range().prop_map(Command::Delete),
         (wall(), wall_change).prop_map(|(name, change)| Command::Wall(name, change)),
         (1..=u32::MAX, particle_change).prop_map(|(id, change)| Command::Particle(id, change)),
     ]
+}
+
+fn generate() -> impl Strategy<Value = Generate> {
+    let circle = (vector(), positive())
+        .prop_map(|(centre, radius)| GeneratePlace::Circle { centre, radius });
+    let corners = (vector(), positive(), positive());
+    let rectangle = corners
+        .prop_map(|(min, width, height)| GeneratePlace::Rectangle {
+            min,
+            max: [min[0] + width, min[1] + height],
+        })
+        .prop_filter("an area", |place| match place {
+            GeneratePlace::Rectangle { min, max } => {
+                (0..2).all(|k| min[k] < max[k] && max[k].is_finite())
+            }
+            GeneratePlace::Circle { .. } => true,
+        });
+    let place = prop_oneof![circle, rectangle];
+    let count = prop::option::of(1..=10_000_000u64);
+    (place, positive(), count, prop::option::of(text())).prop_map(
+        |(place, radius, count, material)| Generate {
+            place,
+            radius,
+            count,
+            material,
+        },
+    )
 }
 
 fn about_physics() -> impl Strategy<Value = Command> {

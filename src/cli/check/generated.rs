@@ -10,12 +10,11 @@ const FEW: usize = 8;
 /// A line for each table.
 pub(super) fn describe(report: &mut Report, scene: &Scene) {
     for generated in &scene.generated {
-        let text = format!(
-            "{}: {}; porosity {} of the region",
-            generated.title,
-            sizes(generated),
-            per_cent(generated.porosity)
-        );
+        let porosity = match generated.porosity {
+            Some(porosity) => format!("; porosity {} of the region", per_cent(porosity)),
+            None => String::new(),
+        };
+        let text = format!("{}: {}{porosity}", generated.title, sizes(generated));
         report.line("generated", text);
         report.warnings.extend(generated.shortfall());
     }

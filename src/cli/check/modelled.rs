@@ -84,6 +84,7 @@ fn changes_model(command: &Command) -> bool {
             | Command::Gravity(_)
             | Command::Rotation(_)
             | Command::Create(_)
+            | Command::Generate(_)
             | Command::Delete(_)
     )
 }

@@ -10,6 +10,7 @@ pub mod delete;
 pub mod export;
 pub mod frac;
 pub mod friction;
+pub mod generate;
 pub mod gravity;
 pub mod help;
 pub mod history;

@@ -10,8 +10,18 @@ impl Chance {
     /// The sequence of a seed and a stream: any two are independent (ChaCha with eight rounds,
     /// Bernstein 2008).
     pub(super) fn new(seed: u64, stream: u64) -> Self {
+        Self::of_key(seed, 0, stream)
+    }
+
+    /// The sequence of a seed and a moment of a run: cycles done and next number.
+    pub(super) fn of_moment(seed: u64, (cycle, number): (u64, u32)) -> Self {
+        Self::of_key(seed, cycle.saturating_add(1), u64::from(number))
+    }
+
+    fn of_key(seed: u64, moment: u64, stream: u64) -> Self {
         let mut key = [0; 32];
         key[..8].copy_from_slice(&seed.to_le_bytes());
+        key[8..16].copy_from_slice(&moment.to_le_bytes());
         let mut numbers = ChaCha8Rng::from_seed(key);
         numbers.set_stream(stream);
         Self(numbers)

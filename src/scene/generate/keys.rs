@@ -1,47 +1,100 @@
 //! The keys of `[[generate]]`.
 
+use super::{distribution, lattice};
 use crate::scene::key::{Absent, Bounds, COUNT_MAX, Form, Key};
 
 pub(super) const KEYS: &[Key] = &[
+    said(
+        "name",
+        Form::Text,
+        "-",
+        "none",
+        "name in messages and paths of --set",
+    ),
+    said(
+        "in",
+        Form::Table(IN),
+        "-",
+        "required but for `import`",
+        "where: one of the three",
+    ),
+    said(
+        "material",
+        Form::Text,
+        "-",
+        "required; of `import` if its file has no column for it",
+        "name of the material",
+    ),
+    said(
+        "grading",
+        Form::Tables(GRADING),
+        "-",
+        SOURCE,
+        "sizes that are placed at random without contacts, the largest first",
+    ),
+    said(
+        "grading_file",
+        Form::Text,
+        "-",
+        SOURCE,
+        "the same from a CSV file beside the preset, with columns radius [m] and count",
+    ),
+    said(
+        "distribution",
+        Form::Table(distribution::KEYS),
+        "-",
+        SOURCE,
+        "the same with radii drawn from a distribution",
+    ),
+    said(
+        "lattice",
+        Form::Word(lattice::KINDS),
+        "-",
+        SOURCE,
+        "a regular arrangement, along the first axis; in a circle around its centre, else from the \
+         lower left corner",
+    ),
+    said(
+        "import",
+        Form::Text,
+        "-",
+        SOURCE,
+        "a CSV file beside the preset with columns x, y, radius and any of material, vx, vy, spin, \
+         angle: what `export particles` writes",
+    ),
     Key {
-        absent: Absent::Said("none"),
+        absent: Absent::Said("required for `lattice`"),
         ..key(
-            "name",
-            Form::Text,
-            "-",
-            "name in messages and paths of --set",
+            "radius",
+            RADIUS,
+            "m",
+            "radius of the particles of a lattice",
         )
     },
-    key("in", Form::Table(IN), "-", "where: one of the three"),
-    key("material", Form::Text, "-", "name of the material"),
+    said(
+        "spacing",
+        RADIUS,
+        "m",
+        "2 radius + gap",
+        "distance of neighbours of a lattice: below 2 radius they overlap; circles of this diameter \
+         lie wholly inside",
+    ),
     Key {
-        absent: Absent::Said("required: what is placed"),
-        ..key(
-            "grading",
-            Form::Tables(GRADING),
-            "-",
-            "sizes that are placed at random without contacts, the largest first",
-        )
-    },
-    Key {
-        form: Form::Number(Bounds::NOT_NEGATIVE),
         absent: Absent::Number(0.0),
         ..key(
             "gap",
-            Form::Flag,
+            Form::Number(Bounds::NOT_NEGATIVE),
             "m",
             "least distance between surfaces, walls included",
         )
     },
-    Key {
-        absent: Absent::Said("until there is certainly no room"),
-        ..key(
-            "tries",
-            Form::Count(1, COUNT_MAX),
-            "-",
-            "failures in a row, anywhere in the region, after which a size no longer fits",
-        )
-    },
+    said(
+        "tries",
+        Form::Count(1, COUNT_MAX),
+        "-",
+        "until there is certainly no room",
+        "failures in a row, anywhere in the region, after which a size no longer fits",
+    ),
     Key {
         absent: Absent::Flag(false),
         ..key(
@@ -70,6 +123,9 @@ pub(super) const KEYS: &[Key] = &[
         )
     },
 ];
+
+const SOURCE: &str = "one of the five is required";
+const RADIUS: Form = Form::Number(Bounds::POSITIVE);
 
 const IN: &[Key] = &[
     part("circle", Form::Table(CIRCLE), "a circle"),
@@ -102,6 +158,19 @@ const GRADING: &[Key] = &[
         ..key("count", Form::Count(0, super::MOST), "-", "how many")
     },
 ];
+
+const fn said(
+    name: &'static str,
+    form: Form,
+    unit: &'static str,
+    absent: &'static str,
+    summary: &'static str,
+) -> Key {
+    Key {
+        absent: Absent::Said(absent),
+        ..key(name, form, unit, summary)
+    }
+}
 
 const fn part(name: &'static str, form: Form, summary: &'static str) -> Key {
     Key {

@@ -1,6 +1,9 @@
 //! What a `[[generate]]` placed.
 
-use super::fill::Size;
+use super::crowd::Disc;
+use super::grading::Wanted;
+use crate::engine::setup::ParticleSetup;
+use crate::scene::draft::Draft;
 
 /// What one table placed.
 #[derive(Debug, Clone, PartialEq)]
@@ -9,10 +12,10 @@ pub struct Generated {
     pub title: String,
     /// Number of the first particle.
     pub first: u32,
-    /// Area of the region [m²].
-    pub area: f64,
-    /// Share of the region that the placed particles leave free [-].
-    pub porosity: f64,
+    /// Area of the region, if there is one [m²].
+    pub area: Option<f64>,
+    /// Share of it that the discs of the placed particles leave free [-].
+    pub porosity: Option<f64>,
     /// Sizes, largest first.
     pub sizes: Vec<SizeGenerated>,
 }
@@ -31,30 +34,48 @@ pub struct SizeGenerated {
 impl Generated {
     pub(super) fn new(
         title: &str,
-        first: u32,
+        draft: &Draft<'_>,
         area: f64,
-        sizes: &[Size],
-        asked: &[Option<usize>],
+        wanted: &Wanted,
         placed: &[usize],
     ) -> Self {
-        let sizes: Vec<SizeGenerated> = sizes
-            .iter()
-            .zip(asked.iter().zip(placed))
-            .map(|(size, (&asked, &placed))| SizeGenerated {
-                radius: size.radius,
-                asked,
-                placed,
-            })
-            .collect();
+        let rows = wanted.radii.iter().zip(&wanted.asked).zip(placed);
+        let sizes = rows.map(|((&radius, &asked), &placed)| SizeGenerated {
+            radius,
+            asked,
+            placed,
+        });
+        Self::sized(title, draft, Some(area), sizes.collect())
+    }
+
+    /// Of particles that were not asked for by size.
+    pub(super) fn of(
+        title: &str,
+        draft: &Draft<'_>,
+        area: Option<f64>,
+        particles: &[impl Round],
+    ) -> Self {
+        let mut radii: Vec<f64> = particles.iter().map(Round::radius).collect();
+        radii.sort_by(|a, b| b.total_cmp(a));
+        let equal = radii.chunk_by(|a, b| a == b);
+        let sizes = equal.map(|equal| SizeGenerated {
+            radius: equal[0],
+            asked: None,
+            placed: equal.len(),
+        });
+        Self::sized(title, draft, area, sizes.collect())
+    }
+
+    fn sized(title: &str, draft: &Draft<'_>, area: Option<f64>, sizes: Vec<SizeGenerated>) -> Self {
         let discs = |size: &SizeGenerated| {
             size.placed as f64 * std::f64::consts::PI * size.radius * size.radius
         };
         let covered: f64 = sizes.iter().map(discs).sum();
         Self {
             title: title.to_owned(),
-            first,
+            first: draft.next_number(),
             area,
-            porosity: 1.0 - covered / area,
+            porosity: area.map(|area| 1.0 - covered / area),
             sizes,
         }
     }
@@ -88,5 +109,23 @@ impl Generated {
 impl SizeGenerated {
     fn is_short(&self) -> bool {
         self.asked.is_some_and(|asked| self.placed < asked)
+    }
+}
+
+/// What has a radius.
+pub(super) trait Round {
+    /// The radius [m].
+    fn radius(&self) -> f64;
+}
+
+impl Round for Disc {
+    fn radius(&self) -> f64 {
+        self.radius
+    }
+}
+
+impl Round for ParticleSetup {
+    fn radius(&self) -> f64 {
+        self.radius
     }
 }
