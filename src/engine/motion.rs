@@ -180,6 +180,7 @@ pub(super) fn settle(
             stretch.force[k] = inputs.contacts.sum::<true>(p, stretch.rows[k].radius);
             if inputs.fracc {
                 let next = fracc4(
+                    inputs.dt,
                     &inputs.mobility[p],
                     &stretch.rows[k],
                     &old,
@@ -266,7 +267,7 @@ fn run<D: Drag, const GATHER: bool, const FRACC: bool>(
         if GATHER {
             let sum = inputs.contacts.sum::<FRACC>(p, row.radius);
             if FRACC {
-                let next = fracc4(mobility, row, force, &sum);
+                let next = fracc4(dt, mobility, row, force, &sum);
                 if next > watch.fracc.0 {
                     watch.fracc = (next, p);
                 }
@@ -297,16 +298,17 @@ fn run<D: Drag, const GATHER: bool, const FRACC: bool>(
 }
 
 /// FRACC⁴ of one particle, (4.35) to (4.40) with the vector difference of the force sums:
-/// dt⁴ |ΔΣF|²/(16 m² |Δx|²). Zero where it says nothing: nothing moved, the force did not change
-/// beyond rounding, or the velocity is prescribed.
+/// dt⁴ |ΔΣF|²/(16 m² |Δx|²). Zero where it says nothing: neither place nor force changed beyond
+/// rounding, or the velocity is prescribed.
 #[inline(always)]
-fn fracc4(mobility: &Mobility, row: &Row, old: &Sum, new: &Sum) -> f64 {
+fn fracc4(dt: f64, mobility: &Mobility, row: &Row, old: &Sum, new: &Sum) -> f64 {
     let d = [new.f[0] - old.f[0], new.f[1] - old.f[1]];
     let change = d[0] * d[0] + d[1] * d[1];
     let speed = row.v[0] * row.v[0] + row.v[1] * row.v[1];
     let gain = mobility.kick[0] * mobility.kick[1];
     let noise = 1e-12 * new.scale;
-    if change > noise * noise && speed > 0.0 {
+    let rest = 1e-15 * row.radius;
+    if change > noise * noise && speed * (dt * dt) > rest * rest {
         gain * change / (16.0 * speed)
     } else {
         0.0

@@ -23,7 +23,7 @@ pub use super::verbs::print::{Measure, Printout};
 pub use super::verbs::property::Property;
 pub use super::verbs::servo::ServoGoal;
 pub use super::verbs::solve::{Goal, Solve};
-pub use super::verbs::strain::Imposed;
+pub use super::verbs::strain::{Continuum, Imposed};
 pub use super::verbs::wall::WallChange;
 
 /// Everything that can be asked of a session.
@@ -57,8 +57,8 @@ pub enum Command {
     Boundary(Option<BoundarySetup>),
     /// Imposes a strain rate [1/s] by the boundary.
     Strain(Imposed),
-    /// Lets every particle drift with a strain rate [1/s]; `None`: not any more.
-    Continuum(Option<Imposed>),
+    /// Lets every particle drift with a strain rate.
+    Continuum(Continuum),
     /// Imposes a stress [Pa] by the boundary.
     Stress(Imposed),
     /// Steers the boundary to a stress; `None`: not any more.
@@ -201,14 +201,15 @@ impl fmt::Display for Command {
             Self::FracAuto(share) => write!(f, " auto {}", number(*share)),
             Self::Frac(value) | Self::Con1(value) => write!(f, " {}", number(*value)),
             Self::Damp(damper, value) => write!(f, " {damper} {}", number(*value)),
-            Self::Gravity(None) | Self::Continuum(None) => f.write_str(" none"),
+            Self::Gravity(None) => f.write_str(" none"),
             Self::Gravity(Some(Gravity::Uniform(g))) => write!(f, " {}", vector(*g)),
             Self::Gravity(Some(Gravity::Centripetal { towards, g })) => {
                 write!(f, " towards {} {}", vector(*towards), number(*g))
             }
             Self::Boundary(boundary) => write!(f, " {}", boundary::line(boundary.as_ref())),
             Self::Strain(imposed) => write!(f, " rate {imposed}"),
-            Self::Continuum(Some(imposed)) | Self::Stress(imposed) => write!(f, " {imposed}"),
+            Self::Continuum(continuum) => write!(f, " {continuum}"),
+            Self::Stress(imposed) => write!(f, " {imposed}"),
             Self::Servo(Some(goal)) => write!(f, " {goal}"),
             Self::Rotation(on) => f.write_str(if *on { " on" } else { " off" }),
             Self::Cycle(count) | Self::Step(count) => write!(f, " {count}"),

@@ -1,8 +1,8 @@
 //! What a line can refer to: walls, particles, regions and materials.
 
 use super::command::{
-    Command, Create, Export, FrictionOf, Generate, Goal, HistoryChange, MOST_GENERATED, Printout,
-    WallChange,
+    Command, Continuum, Create, Export, FrictionOf, Generate, Goal, HistoryChange, MOST_GENERATED,
+    Printout, WallChange,
 };
 use super::definition::Definitions;
 use super::mistake::{Mistake, shown};
@@ -44,9 +44,10 @@ impl Known {
                 self.material(material.as_ref(), line)
             }
             Command::Wall(name, _) => self.wall(name, line),
-            Command::Strain(_) | Command::Servo(Some(_)) | Command::Stress(_) => {
-                self.a_boundary(command, line)
-            }
+            Command::Strain(_)
+            | Command::Servo(Some(_))
+            | Command::Stress(_)
+            | Command::Continuum(Continuum::Boundary) => self.a_boundary(command, line),
             Command::Boundary(Some(_)) => match self.boundary {
                 Some(BoundarySetup::Cell { .. }) => Err(Mistake::new(
                     "the assembly lies in a periodic cell",

@@ -79,7 +79,7 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
         );
         return;
     }
-    if draft.setup.boundary.is_some() {
+    if draft.setup.boundary.is_some() && draft.sampled == [0, 0] {
         reader.refuse(
             "size",
             "a periodic cell leaves nothing for [boundary] to hold",

@@ -13,7 +13,8 @@ use crate::engine::wall::Wall;
 use crate::engine::wall_contact;
 use crate::language::Command;
 use crate::language::command::{
-    Create, Damper, FrictionOf, Imposed, ParticleChange, ParticleRange, Property, WallChange,
+    Continuum, Create, Damper, FrictionOf, Imposed, ParticleChange, ParticleRange, Property,
+    WallChange,
 };
 
 /// Largest overlap of something new, as a fraction of the smaller radius.
@@ -62,9 +63,14 @@ pub(super) fn world(world: &mut World, command: &Command) -> Result<String, Refu
             world.set_strain_rate(*tensor, *over);
             Ok(command.to_string() + " 1/s")
         }
-        Command::Continuum(imposed) => {
-            let over = imposed.map_or(0, |imposed| imposed.over);
-            world.set_continuum(imposed.map(|imposed| imposed.tensor), over);
+        Command::Continuum(continuum) => {
+            match continuum {
+                Continuum::Off => world.set_continuum(None, 0),
+                Continuum::Boundary => world.carry_along(),
+                Continuum::Rate(imposed) => {
+                    world.set_continuum(Some(imposed.tensor), imposed.over);
+                }
+            }
             Ok(command.to_string())
         }
         Command::Rotation(on) => {

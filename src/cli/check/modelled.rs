@@ -2,6 +2,7 @@
 
 use super::Report;
 use crate::engine::World;
+use crate::engine::boundary::Kind;
 use crate::engine::contact::laws::Slip;
 use crate::engine::setup::{Body, Dashpot, Gravity, NormalForm};
 use crate::language::Command;
@@ -27,6 +28,12 @@ pub(super) fn describe(report: &mut Report, scene: &Scene, world: &World) {
         Some(Gravity::Centripetal { .. }) => "centripetal gravity",
         Some(Gravity::Uniform(_)) | None => "gravity",
     };
+    let boundary = match world.boundary().map(|boundary| &boundary.kind) {
+        Some(Kind::Cell(_)) => "periodic cell",
+        Some(Kind::Walls) => "walls as boundary",
+        Some(Kind::Ring(_)) => "ring of boundary particles",
+        None => "boundary",
+    };
     for (is, what) in [
         (plan.friction, "friction"),
         (
@@ -45,6 +52,7 @@ pub(super) fn describe(report: &mut Report, scene: &Scene, world: &World) {
         (model.damping.con1 != 1.0, "con1 damping"),
         (model.gravity.is_some(), gravity),
         (!world.walls().is_empty(), "walls"),
+        (world.boundary().is_some(), boundary),
         (plan.ledger, "energy ledger"),
     ] {
         if is { &mut yes } else { &mut no }.push(what);
@@ -82,6 +90,11 @@ fn changes_model(command: &Command) -> bool {
             | Command::Damp(..)
             | Command::Con1(_)
             | Command::Gravity(_)
+            | Command::Boundary(_)
+            | Command::Strain(_)
+            | Command::Stress(_)
+            | Command::Servo(_)
+            | Command::Continuum(_)
             | Command::Rotation(_)
             | Command::Create(_)
             | Command::Generate(_)

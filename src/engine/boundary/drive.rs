@@ -38,9 +38,7 @@ impl World {
     /// Strain rate of the flow that carries all particles [1/s], and the point at rest in it.
     pub(in crate::engine) fn flow(&self) -> Option<(Tensor, [f64; 2])> {
         let (rate, centre) = match (&self.boundary, &self.continuum) {
-            (Some(boundary), None) if boundary.cell().is_some() => {
-                (boundary.straining.rate(), boundary.centre)
-            }
+            (Some(boundary), _) if boundary.carries => (boundary.straining.rate(), boundary.centre),
             (Some(boundary), Some(flow)) => (flow.rate(), boundary.centre),
             (None, Some(flow)) => (flow.rate(), [-self.origin[0], -self.origin[1]]),
             (_, None) => return None,
@@ -89,10 +87,21 @@ impl World {
         true
     }
 
+    /// Lets the boundary carry all particles along, with whatever strain rate it imposes.
+    pub fn carry_along(&mut self) {
+        self.continuum = None;
+        if let Some(boundary) = &mut self.boundary {
+            boundary.carries = true;
+        }
+    }
+
     /// Lets all particles drift with a strain rate [1/s], reached over so many cycles; `None`: not any
     /// more.
     pub fn set_continuum(&mut self, rate: Option<Tensor>, over: u64) {
         let cycle = self.cycle;
+        if let Some(boundary) = &mut self.boundary {
+            boundary.carries = boundary.cell().is_some();
+        }
         self.continuum = rate.map(|rate| {
             let mut flow = self.continuum.take().unwrap_or_default();
             flow.set(rate, cycle, over);
@@ -169,6 +178,7 @@ impl World {
             kind,
             centre,
             straining,
+            ..
         }) = &mut self.boundary
         {
             let rate = straining.rate();
@@ -230,20 +240,21 @@ impl World {
     /// Velocities of boundary particles, as the strain rate says. What that takes is work of the
     /// boundary.
     fn drive_ring(&mut self) {
-        let flows = self.continuum.is_some();
         let Some(Boundary {
             kind: Kind::Ring(ring),
             centre,
             straining,
+            carries,
         }) = &self.boundary
         else {
             return;
         };
-        let mut rate = straining.rate();
-        if let (true, Some(flow)) = (flows, &self.continuum) {
-            // The flow carries the ring along; only what it lacks is the ring's own.
-            rate = plus(rate, flow.rate(), -1.0);
-        }
+        // The flow carries the ring along; only what it lacks is the ring's own.
+        let rate = match &self.continuum {
+            _ if *carries => NONE,
+            Some(flow) => plus(straining.rate(), flow.rate(), -1.0),
+            None => straining.rate(),
+        };
         let mut work = 0.0;
         for &id in &ring.members {
             let Some(p) = self.particles.index(id) else {

@@ -28,6 +28,8 @@ pub struct Boundary {
     pub centre: [f64; 2],
     /// The imposed strain.
     pub straining: Straining,
+    /// Whether it carries all particles along, as a cell always does.
+    pub carries: bool,
 }
 
 /// What the boundary consists of.
@@ -60,10 +62,12 @@ impl Boundary {
         };
         let mut straining = Straining::default();
         straining.set(rate, 0, 0);
+        let carries = matches!(kind, Kind::Cell(_));
         Self {
             kind,
             centre,
             straining,
+            carries,
         }
     }
 

@@ -33,18 +33,23 @@ pub const CARD: Card = Card {
 pub const CONTINUUM: Card = Card {
     name: "continuum",
     aliases: &[],
-    usage: "continuum E11 E12 E21 E22 [over N] | none",
+    usage: "continuum E11 E12 E21 E22 [over N] | boundary | none",
     summary: "lets every particle drift with a strain rate",
-    detail: "In 1/s, compression positive, beside whatever the boundary does: give the boundary the same \
-             rate, or the assembly leaves it. Velocities are then what a particle does besides, and con1 \
-             damps these alone.",
-    examples: &["continuum 0.1 0 0 0.1", "continuum none"],
+    detail: "In 1/s, compression positive, beside whatever the boundary does; `boundary` takes the rate \
+             that the boundary imposes, a servo's share included. Velocities are then what a particle \
+             does besides, and con1 damps these alone.",
+    examples: &[
+        "continuum boundary",
+        "continuum 0.1 0 0 0.1",
+        "continuum none",
+    ],
     parse: |words| {
         if words.is_at_number() {
-            return imposed(words).map(|imposed| Command::Continuum(Some(imposed)));
+            return imposed(words).map(|imposed| Command::Continuum(Continuum::Rate(imposed)));
         }
-        words.keyword(&["none"])?;
-        Ok(Command::Continuum(None))
+        words
+            .choose(&[("boundary", Continuum::Boundary), ("none", Continuum::Off)])
+            .map(Command::Continuum)
     },
     changes_world: true,
 };
@@ -70,6 +75,27 @@ pub struct Imposed {
     pub tensor: Tensor,
     /// Cycles; 0: at once.
     pub over: u64,
+}
+
+/// What carries every particle along.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Continuum {
+    /// Nothing.
+    Off,
+    /// Whatever the boundary imposes.
+    Boundary,
+    /// A strain rate [1/s].
+    Rate(Imposed),
+}
+
+impl fmt::Display for Continuum {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Off => f.write_str("none"),
+            Self::Boundary => f.write_str("boundary"),
+            Self::Rate(imposed) => imposed.fmt(f),
+        }
+    }
 }
 
 fn imposed(words: &mut Words<'_>) -> Result<Imposed, Mistake> {
