@@ -11,6 +11,10 @@ pub struct Preset {
 
 /// All of them, in the order they are shown.
 pub const PRESETS: &[Preset] = &[
+    preset(
+        "graded-shear",
+        include_str!("../../presets/graded-shear.toml"),
+    ),
     preset("disc-pile", include_str!("../../presets/disc-pile.toml")),
     preset("two-discs", include_str!("../../presets/two-discs.toml")),
     preset(
@@ -52,6 +56,18 @@ pub const PRESETS: &[Preset] = &[
     preset(
         "restitution-phases",
         include_str!("../../presets/restitution-phases.toml"),
+    ),
+    preset(
+        "graded-compression",
+        include_str!("../../presets/graded-compression.toml"),
+    ),
+    preset(
+        "uniform-compression",
+        include_str!("../../presets/uniform-compression.toml"),
+    ),
+    preset(
+        "uniform-shear",
+        include_str!("../../presets/uniform-shear.toml"),
     ),
     preset(
         "chung-ooi-1",
