@@ -10,6 +10,7 @@ mod crowd;
 mod lists;
 mod output;
 mod pages;
+mod plot;
 mod progress;
 mod run;
 mod sample;
@@ -20,6 +21,7 @@ mod workbench;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
+use crate::language::command::PictureOf;
 use crate::scene::Seeds;
 use clap::{Args, CommandFactory, Parser, Subcommand};
 
@@ -104,6 +106,8 @@ enum Command {
     Verify(Verify),
     /// Run a preset with several time steps and laws: wall time, rates, errors, the Pareto front
     Study(Study),
+    /// Draw columns of histories, or a checkpoint, as SVG
+    Plot(Plot),
     /// Print completions for a shell
     Completions {
         /// bash, zsh, fish, elvish or powershell
@@ -232,6 +236,53 @@ struct Study {
     quiet: bool,
 }
 
+/// Options of `plot`.
+#[derive(Debug, Args)]
+#[command(
+    override_usage = "ballast plot [OPTIONS] --y <COLUMN,...> -o <FILE.svg> <HISTORY.csv>...\n       \
+                      ballast plot [--picture <NAME>] -o <FILE.svg> <CHECKPOINT>",
+    long_about = "Draw columns of histories over each other as SVG. The file that `run --seeds` \
+    writes about an ensemble gives the mean over the seeds, a band of one standard deviation on both \
+    sides, and thin lines along the least and the greatest; rows that not all seeds have are left out. \
+    Several files go into one chart with a legend. Units stand at the axes: columns of one axis have \
+    one unit. A checkpoint gives a picture of its assembly, or what --picture names."
+)]
+struct Plot {
+    /// Histories, or one checkpoint
+    #[arg(required = true, value_name = "FILE")]
+    files: Vec<PathBuf>,
+    /// Write the picture to this file; - is standard output
+    #[arg(long, short, value_name = "FILE.svg")]
+    output: PathBuf,
+    /// Column across [default: time]
+    #[arg(long, value_name = "COLUMN")]
+    x: Option<String>,
+    /// Columns up
+    #[arg(long, value_name = "COLUMN,...", value_delimiter = ',')]
+    y: Vec<String>,
+    /// Only the rows of this stage
+    #[arg(long, value_name = "NAME")]
+    stage: Option<String>,
+    /// A number to compare with; X or Y left empty gives a line. Or a CSV file of them: x,y,label
+    #[arg(long, value_name = "X,Y,LABEL", allow_hyphen_values = true)]
+    marks: Vec<String>,
+    /// Title instead of the names of the columns
+    #[arg(long, value_name = "TEXT")]
+    title: Option<String>,
+    /// Of a checkpoint: assembly, path, mohr, histogram or rose
+    #[arg(long, value_name = "NAME", value_parser = PICTURES)]
+    picture: Option<String>,
+    /// No messages but errors
+    #[arg(long, short)]
+    quiet: bool,
+}
+
+/// Words for what can be drawn of a checkpoint.
+const PICTURES: [&str; 5] = {
+    let [(a, _), (b, _), (c, _), (d, _), (e, _)] = PictureOf::ALL;
+    [a, b, c, d, e]
+};
+
 /// Options of `verify`.
 #[derive(Debug, Args)]
 struct Verify {
@@ -283,6 +334,7 @@ pub fn main() -> ExitCode {
         Some(Command::Keys) => lists::keys(),
         Some(Command::Verify(options)) => verify::verify(&options),
         Some(Command::Study(options)) => study::study(&options),
+        Some(Command::Plot(options)) => plot::plot(&options),
         Some(Command::Completions { shell }) => pages::completions(shell, &mut Cli::command()),
         Some(Command::Man) => pages::man(Cli::command()),
     };

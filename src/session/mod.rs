@@ -16,7 +16,7 @@ pub mod frames;
 mod generate;
 pub mod inspect;
 mod opening;
-mod pictures;
+pub(crate) mod pictures;
 mod print;
 mod recording;
 mod replay;

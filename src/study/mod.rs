@@ -5,7 +5,7 @@
 //! takes ([`timing`]). What comes out is judged by the questions that were asked ([`question`],
 //! [`error`], [`replies`]) and laid out as numbers ([`outcome`], [`table`]) and as a picture
 //! ([`picture`]). [`limits`] searches the largest stable step instead. [`ensemble`] runs a scene
-//! with many seeds.
+//! with many seeds; [`plot`] draws what histories and ensembles hold.
 
 pub mod ensemble;
 pub mod error;
@@ -15,6 +15,7 @@ pub mod outcome;
 pub mod pace;
 pub mod picture;
 pub mod plan;
+pub mod plot;
 pub mod question;
 pub mod replies;
 pub mod stability;

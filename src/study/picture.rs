@@ -9,23 +9,10 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::outcome::Outcome;
 use crate::session::figure::{figure, rough};
+use crate::session::pictures::plate::{COLOURS, FONT, SMALL};
 
 /// Width and height [pixels].
 const SIZE: (u32, u32) = (860, 560);
-
-const FONT: &str = "sans-serif";
-const SMALL: i32 = 13;
-
-/// Colours of the series, in turn, that stay apart for the colour-blind and in grey (Okabe & Ito).
-const COLOURS: [RGBColor; 7] = [
-    RGBColor(0, 114, 178),
-    RGBColor(213, 94, 0),
-    RGBColor(0, 158, 115),
-    RGBColor(204, 121, 167),
-    RGBColor(86, 180, 233),
-    RGBColor(230, 159, 0),
-    RGBColor(0, 0, 0),
-];
 
 /// A variant in the picture.
 struct Point {

@@ -148,7 +148,7 @@ impl Files {
 }
 
 /// Whether two paths are one file. Devices may be named as often as you like.
-pub(super) fn same(a: &Path, b: &Path) -> bool {
+pub(in crate::cli) fn same(a: &Path, b: &Path) -> bool {
     let is_device = |path: &Path| path.metadata().is_ok_and(|file| !file.is_file());
     !is_device(a) && whole(a) == whole(b)
 }

@@ -5,6 +5,8 @@ mod ensemble;
 mod files;
 mod prepare;
 
+pub(super) use files::same;
+
 use std::time::{Duration, Instant};
 
 use super::output::{complain, tell};

@@ -127,6 +127,14 @@ fn named(path: &Path, fault: CheckpointFault) -> RecordError {
     }
 }
 
+/// Whether a file begins like a checkpoint, whole or not.
+pub fn is_one(path: &Path) -> bool {
+    let mut start = Vec::new();
+    let read =
+        File::open(path).and_then(|file| file.take(MAGIC.len() as u64).read_to_end(&mut start));
+    read.is_ok() && start == MAGIC
+}
+
 /// What stands before the payload.
 struct Header {
     length: u64,

@@ -4,7 +4,7 @@ mod assembly;
 mod histogram;
 mod mohr;
 mod path;
-pub(super) mod plate;
+pub(crate) mod plate;
 mod rose;
 
 use std::error::Error;
@@ -19,7 +19,7 @@ type Failure = Box<dyn Error>;
 
 impl Session {
     /// A picture of what there is now, or of the stress path so far.
-    pub(super) fn picture(&mut self, of: PictureOf) -> Result<String, Refusal> {
+    pub fn picture(&mut self, of: PictureOf) -> Result<String, Refusal> {
         if of == PictureOf::StressPath {
             let points = path::recorded(self)?;
             return path::svg(&points).map_err(|error| failed(&error));
