@@ -10,5 +10,7 @@ mod flows;
 mod moduli;
 #[path = "boundaries/rings.rs"]
 mod rings;
+#[path = "boundaries/servos.rs"]
+mod servos;
 #[path = "boundaries/walls.rs"]
 mod walls;

@@ -9,8 +9,13 @@ use crate::measure::region::Content;
 /// depend on rate.
 const INERTIAL: f64 = 1e-3;
 
-/// Time constant of a servo with gain 1, in times that a wave needs across the assembly.
-const CROSSINGS: f64 = 4.0;
+/// Time constant of a servo with gain 1, in times that a wave needs across the assembly, if nothing
+/// damps the waves.
+const CROSSINGS: f64 = 2.0;
+
+/// Angular frequency of the slowest wave that runs in and out of a disc whose edge is held, in the
+/// inverse of those times: twice the first zero of J1.
+const SLOWEST: f64 = 2.0 * 3.8317;
 
 /// What an assembly answers, and how soon.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,12 +48,38 @@ impl Pace {
             radius += row.radius;
         }
         let density = mass / (volume * content.thickness);
-        let size = content.area.sqrt();
+        let crossing = size(world) * (density / modulus).sqrt();
         let diameter = 2.0 * radius / particles.len() as f64;
         Self {
             modulus,
-            time: CROSSINGS * size * (density / modulus).sqrt(),
+            time: crossing * crossings(drag(world) * crossing),
             fastest: INERTIAL / diameter * (stress.abs() / density).sqrt(),
         }
     }
+}
+
+/// Time constant of a servo with gain 1 in times that a wave needs across, at a damping of the
+/// velocities in the inverse of those times.
+///
+/// A servo that integrates drives waves with 1/(T ω) of what it sees at their frequency ω, and they
+/// answer with ω/α: it is stable if T > 1/α. Strong damping makes the assembly follow late instead, by
+/// α/ω². Twice the former and half the latter leave a margin.
+fn crossings(drag: f64) -> f64 {
+    let ringing = if drag > 0.0 { 2.0 / drag } else { CROSSINGS };
+    ringing.min(CROSSINGS) + 0.5 * drag / (SLOWEST * SLOWEST)
+}
+
+/// Damping of all velocities by `con1` and globally [1/s].
+fn drag(world: &World) -> f64 {
+    let damping = world.model().damping;
+    (1.0 - damping.con1) / world.dt() + damping.global
+}
+
+/// What a wave has to cross [m].
+fn size(world: &World) -> f64 {
+    if let Some(cell) = world.cell() {
+        return cell.area().sqrt();
+    }
+    let [low, high] = world.particles().extent();
+    (high[0] - low[0]).max(high[1] - low[1])
 }

@@ -18,7 +18,9 @@ pub const CARD: Card = Card {
     detail: "Mean stress (s11 + s22)/2, s11 - s22 and shear stress (s12 + s21)/2 of the first region, in \
              Pa, are held by what is added to the strain rate of the ring, walls or cell; what is not \
              named is left to `strain rate`. Over N cycles the values are reached linearly from where \
-             they are: a stress path. Gain 1 suits most assemblies; more is faster and less stable.",
+             they are: a stress path. Gain 1 suits most assemblies; more is faster and less stable. \
+             With con1 0.99 a servo is several times as fast, and gains up to 4 hold a mean stress to 0.1 % \
+             while the assembly is sheared.",
     examples: &[
         "servo mean 1e5",
         "servo mean 1e5 deviator 4e4 over 100000",
