@@ -11,7 +11,7 @@ use std::cell::Cell;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use ballast::engine::World;
-use ballast::engine::setup::{Damping, Gravity, Setup};
+use ballast::engine::setup::{BoundarySetup, Damping, Dashpot, Gravity, Setup};
 use common::*;
 
 /// The system's allocator, counting.
@@ -92,6 +92,34 @@ fn pile(rows: usize, ledger: bool) -> Setup {
     setup
 }
 
+fn ring() -> BoundarySetup {
+    BoundarySetup::Ring {
+        centre: [0.0; 2],
+        radius: 12.0 * RADIUS,
+        turning: false,
+    }
+}
+
+/// A crowd within each kind of boundary, all of them at work.
+fn bounded(boundary: BoundarySetup) -> Setup {
+    let mut setup = scene(material(STIFFNESS, STIFFNESS, 0.3));
+    for i in -6..=6 {
+        for j in -6..=6 {
+            setup.particles.push(particle(
+                1.98 * RADIUS * f64::from(i),
+                1.98 * RADIUS * f64::from(j),
+                RADIUS,
+            ));
+        }
+    }
+    setup.boundary = Some(boundary);
+    setup.strain_rate = [[1e-4, 0.0], [0.0, 1e-4]];
+    setup.damping.contact = Dashpot::Fraction(0.1);
+    // Rebuilds often.
+    setup.tol = Some(1e-4);
+    setup
+}
+
 // One test only: the counter counts the whole process, but for the harness.
 #[test]
 fn no_cycle_asks_for_memory() {
@@ -117,5 +145,26 @@ fn no_cycle_asks_for_memory() {
                 assert!(parts.parts(world.particles().len()) > 1);
             }
         }
+    }
+    let side = 13.0 * 1.98 * RADIUS;
+    for (boundary, loaded) in [
+        (
+            BoundarySetup::Cell {
+                corner: [-0.5 * side; 2],
+                edges: [[side, 0.0], [0.0, side]],
+            },
+            false,
+        ),
+        (ring(), false),
+        (ring(), true),
+    ] {
+        let mut world = World::build(bounded(boundary), 1).expect("the scene builds");
+        if loaded {
+            assert!(world.load_boundary([[1e3, 0.0], [0.0, 1e3]], 0));
+        }
+        run(&mut world, 1000);
+        let (asked, rebuilds) = requests(&mut world, 1000);
+        assert!(rebuilds > 5, "{rebuilds}");
+        assert_eq!(asked, 0, "{boundary:?} {loaded}");
     }
 }

@@ -62,6 +62,9 @@ pub struct World {
     memory: Vec<u8>,
     #[serde(skip)]
     pub(super) seen: Seen,
+    /// Forces of a loaded ring on their way to its particles.
+    #[serde(skip)]
+    pub(super) loads: Vec<(usize, [f64; 2])>,
     #[serde(skip)]
     pub(super) pass: Option<Box<dyn ContactPass>>,
     #[serde(skip)]
@@ -130,6 +133,7 @@ impl World {
             size,
             memory: Vec::new(),
             seen: Seen::default(),
+            loads: Vec::new(),
             pass: None,
             threads: Threads::new(threads),
             model: Setup {

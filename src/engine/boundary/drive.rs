@@ -125,12 +125,19 @@ impl World {
         let Some(Boundary {
             kind: Kind::Ring(ring),
             straining,
+            centre,
             ..
         }) = &mut self.boundary
         else {
             return false;
         };
-        ring.carry(stress, cycle, over);
+        let members: Vec<(u32, [f64; 2])> = (ring.members.iter())
+            .filter_map(|&id| Some((id, self.particles.row[self.particles.index(id)?].x)))
+            .collect();
+        let seen = |x: [f64; 2]| [x[0] - centre[0], x[1] - centre[1]];
+        let points: Vec<[f64; 2]> = members.iter().map(|(_, x)| seen(*x)).collect();
+        let chain = ring::around(&points).into_iter().map(|k| members[k].0);
+        ring.carry(stress, cycle, over, chain.collect());
         straining.set(NONE, cycle, 0);
         straining.steer(NONE);
         let turning = ring.turning;
@@ -209,7 +216,6 @@ impl World {
         let thickness = self.thickness();
         let Some(Boundary {
             kind: Kind::Ring(ring),
-            centre,
             ..
         }) = &mut self.boundary
         else {
@@ -218,21 +224,26 @@ impl World {
         let Some(stress) = ring.stress_at(cycle) else {
             return;
         };
-        let places: Vec<usize> = ring
-            .members
-            .iter()
-            .filter_map(|&id| self.particles.index(id))
-            .collect();
-        let points: Vec<[f64; 2]> = places
-            .iter()
-            .map(|&p| {
-                let x = self.particles.row[p].x;
-                [x[0] - centre[0], x[1] - centre[1]]
-            })
-            .collect();
-        let forces = ring::corner_forces(&points, &stress, thickness);
-        for (p, force) in places.into_iter().zip(forces) {
-            self.particles.applied[p] = force;
+        let particles = &mut self.particles;
+        let chain = ring.chain();
+        let place = |k: usize| particles.index(chain[k % chain.len()]);
+        // Particles that were deleted leave a gap that the next one closes.
+        let found = |mut ks: std::ops::Range<usize>| ks.find_map(place);
+        for k in 0..chain.len() {
+            let n = chain.len();
+            let before = (1..n).find_map(|back| place(k + n - back));
+            let (Some(p), Some(before), Some(after)) = (place(k), before, found(k + 1..k + n))
+            else {
+                continue;
+            };
+            let rows = &particles.row;
+            self.loads.push((
+                p,
+                ring::corner_force(rows[before].x, rows[after].x, &stress, thickness),
+            ));
+        }
+        for (p, force) in self.loads.drain(..) {
+            particles.applied[p] = force;
         }
         self.weigh();
     }

@@ -96,7 +96,8 @@ impl Boundary {
         if let Kind::Ring(ring) = &mut self.kind
             && let Some(stress) = ring.stress()
         {
-            ring.carry(stress, 0, 0);
+            let chain = ring.chain().to_vec();
+            ring.carry(stress, 0, 0, chain);
         }
     }
 

@@ -32,6 +32,8 @@ pub struct Ring {
 struct Load {
     stress: Tensor,
     ramp: Option<Ramp>,
+    /// Numbers of its particles, as they follow each other around the centre.
+    chain: Vec<u32>,
 }
 
 impl Ring {
@@ -94,14 +96,20 @@ impl Ring {
     }
 
     /// Lets it carry a stress [Pa], reached over so many cycles from the one before, or from zero.
-    pub(super) fn carry(&mut self, stress: Tensor, cycle: u64, over: u64) {
+    /// `chain` names its particles as they follow each other around the centre.
+    pub(super) fn carry(&mut self, stress: Tensor, cycle: u64, over: u64, chain: Vec<u32>) {
         let from = self.stress().unwrap_or(NONE);
-        self.load = Some(if over == 0 {
-            Load { stress, ramp: None }
-        } else {
-            let ramp = Some(Ramp::new(from, stress, cycle, over));
-            Load { stress: from, ramp }
+        let ramp = (over > 0).then(|| Ramp::new(from, stress, cycle, over));
+        self.load = Some(Load {
+            stress: if over > 0 { from } else { stress },
+            ramp,
+            chain,
         });
+    }
+
+    /// Its particles as they follow each other while they carry a stress.
+    pub(super) fn chain(&self) -> &[u32] {
+        self.load.as_ref().map_or(&[], |load| &load.chain)
     }
 
     /// No stress any more: it moves as the strain rate says.
@@ -125,26 +133,29 @@ impl Ring {
     }
 }
 
-/// Force on each corner of a closed chain of points under a stress [N]: half that on the two sides
-/// that meet there, `thickness` [m] deep. The points are given by where they are as seen from the
-/// middle [m]; forces come in their order, and balance.
-pub(super) fn corner_forces(points: &[[f64; 2]], stress: &Tensor, thickness: f64) -> Vec<[f64; 2]> {
+/// The order in which points follow each other around the middle, which they are seen from.
+pub(super) fn around(points: &[[f64; 2]]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..points.len()).collect();
     let angle = |k: usize| libm::atan2(points[k][1], points[k][0]);
     order.sort_by(|&a, &b| angle(a).total_cmp(&angle(b)).then(a.cmp(&b)));
-    let mut forces = vec![[0.0; 2]; points.len()];
-    for (place, &k) in order.iter().enumerate() {
-        let before = points[order[(place + order.len() - 1) % order.len()]];
-        let after = points[order[(place + 1) % order.len()]];
-        // Outwards, as long as half of both sides.
-        let side = [
-            0.5 * thickness * (after[1] - before[1]),
-            -0.5 * thickness * (after[0] - before[0]),
-        ];
-        // Tractions: the first index of the stress belongs to the side it acts on.
-        forces[k] = [0, 1].map(|j| -(side[0] * stress[0][j] + side[1] * stress[1][j]));
-    }
-    forces
+    order
+}
+
+/// Force on a corner of a closed chain under a stress [N], from where its neighbours are [m]: half that
+/// on each of the two sides that meet there, `thickness` [m] deep. Around a chain they balance.
+pub(super) fn corner_force(
+    before: [f64; 2],
+    after: [f64; 2],
+    stress: &Tensor,
+    thickness: f64,
+) -> [f64; 2] {
+    // Outwards, as long as half of both sides.
+    let side = [
+        0.5 * thickness * (after[1] - before[1]),
+        -0.5 * thickness * (after[0] - before[0]),
+    ];
+    // Tractions: the first index of the stress belongs to the side it acts on.
+    [0, 1].map(|j| -(side[0] * stress[0][j] + side[1] * stress[1][j]))
 }
 
 #[cfg(test)]
@@ -161,12 +172,17 @@ mod tests {
             [0.9, 0.9],
         ];
         let stress = [[3.0, 0.5], [0.5, 1.0]];
-        let forces = corner_forces(&points, &stress, 2.0);
+        let order = around(&points);
+        assert_eq!(order, [2, 3, 0, 4, 1]);
+        let mut forces = [[0.0; 2]; 5];
+        for (place, &k) in order.iter().enumerate() {
+            let (before, after) = (order[(place + 4) % 5], order[(place + 1) % 5]);
+            forces[k] = corner_force(points[before], points[after], &stress, 2.0);
+        }
         for k in 0..2 {
             assert!(forces.iter().map(|f| f[k]).sum::<f64>().abs() < 1e-14);
         }
         // Σ x_i F_j = -A t σ_ij: twice the mean stress theorem, here for the polygon in order of angle.
-        let order = [3, 0, 4, 1, 2];
         let area = 0.5
             * (0..5)
                 .map(|k| {
