@@ -4,6 +4,8 @@ mod common;
 
 #[path = "boundaries/cells.rs"]
 mod cells;
+#[path = "boundaries/channel.rs"]
+mod channel;
 #[path = "boundaries/flows.rs"]
 mod flows;
 #[path = "boundaries/moduli.rs"]

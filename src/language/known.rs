@@ -33,6 +33,15 @@ impl Known {
                 self.particle(range.first, line)?;
                 self.particle(range.last, line)
             }
+            Command::Wall(_, WallChange::Create { .. })
+                if matches!(self.boundary, Some(BoundarySetup::Cell { .. })) =>
+            {
+                Err(Mistake::new(
+                    "the assembly lies in a periodic cell, whose images repeat no wall that ends",
+                    "let the preset have a [[wall]] from h1 = -inf to h2 = inf",
+                    0..line.len(),
+                ))
+            }
             Command::Wall(name, WallChange::Create { material, .. }) => {
                 if self.names.walls.contains(name) {
                     return Err(Mistake::new(

@@ -5,7 +5,7 @@ use super::draft::Draft;
 use super::key::{Absent, Form, Key};
 use super::reader::Reader;
 use super::section::{Section, Shape};
-use crate::engine::setup::BoundarySetup;
+use crate::engine::setup::{BoundarySetup, WallSetup};
 
 /// The declaration.
 pub(crate) const SECTION: Section = Section {
@@ -85,6 +85,19 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
             "a periodic cell leaves nothing for [boundary] to hold",
             "not together with [boundary]",
             "keep [cell] or [boundary], whichever is meant",
+        );
+        return;
+    }
+    let ends = |wall: &WallSetup| (wall.h2 - wall.h1).is_finite();
+    if let Some(wall) = draft.setup.walls.iter().find(|wall| ends(wall)) {
+        reader.refuse(
+            "size",
+            &format!(
+                "wall `{}` ends, and a periodic cell has no place for ends",
+                wall.name
+            ),
+            "walls are not repeated in the images of the cell",
+            "leave the wall out, or let it run from h1 = -inf to h2 = inf along an edge",
         );
         return;
     }
