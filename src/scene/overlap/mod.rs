@@ -1,9 +1,14 @@
 //! Overlaps at the start. Particles of like size share a grid whose boxes are as wide as they are,
 //! so that a hundred thousand of any mixture of sizes take a fraction of a second.
 
+mod images;
+mod walls;
+
+pub(super) use walls::distance;
+
 use super::draft::Draft;
 use super::problem::Problem;
-use crate::engine::setup::WallSetup;
+use images::{Body, Pair, bodies, pair};
 
 /// Largest overlap that is accepted, as a fraction of the smaller radius.
 const ACCEPTED: f64 = 0.05;
@@ -18,7 +23,7 @@ pub(crate) fn check(draft: &Draft<'_>) {
     if !draft.setup.overlap_allowed {
         check_pairs(draft, &sound);
     }
-    check_walls(draft, sound);
+    walls::check(draft, sound);
 }
 
 /// Size class, and row and column of the box within the grid of that class.
@@ -38,23 +43,26 @@ fn cell(class: i32, at: [f64; 2]) -> Cell {
 
 fn check_pairs(draft: &Draft<'_>, sound: &[usize]) {
     let particles = &draft.setup.particles;
-    let own = |&i: &usize| (cell(class(particles[i].radius), particles[i].at), i);
+    let bodies = bodies(draft, sound);
+    let size = |body: usize| class(particles[bodies[body].of].radius);
+    let own = |body: usize| (cell(size(body), bodies[body].at), body);
     // In the order of the boxes: those of a row follow each other, whatever order they came in.
-    let mut boxes: Vec<(Cell, usize)> = sound.iter().map(own).collect();
+    let mut boxes: Vec<(Cell, usize)> = (0..bodies.len()).map(own).collect();
     boxes.sort_unstable();
     let mut classes: Vec<i32> = boxes.iter().map(|((class, ..), _)| *class).collect();
     classes.dedup();
     for &((own, ..), i) in &boxes {
         // A pair is found from its smaller particle, whose neighbours of a class are few.
         for &other in classes.iter().filter(|&&other| other >= own) {
-            let (_, y, x) = cell(other, particles[i].at);
+            let (_, y, x) = cell(other, bodies[i].at);
             for row in [-1, 0, 1].map(|dy| y.saturating_add(dy)) {
                 let first = (other, row, x.saturating_sub(1));
                 let last = (other, row, x.saturating_add(1));
                 let start = boxes.partition_point(|(cell, _)| *cell < first);
                 let near = boxes[start..].iter().take_while(|(cell, _)| *cell <= last);
                 for &(_, j) in near {
-                    if (other > own || j > i) && !check_pair(draft, i.min(j), i.max(j)) {
+                    let once = other > own || j > i;
+                    if once && !check_pair(draft, &bodies[i], &bodies[j]) {
                         return;
                     }
                 }
@@ -64,26 +72,46 @@ fn check_pairs(draft: &Draft<'_>, sound: &[usize]) {
 }
 
 /// Whether to go on.
-fn check_pair(draft: &Draft<'_>, i: usize, j: usize) -> bool {
+fn check_pair(draft: &Draft<'_>, a: &Body, b: &Body) -> bool {
+    let Some(Pair { of: [i, j], across }) = pair(a, b) else {
+        return true;
+    };
     if j < draft.sampled[0] {
         // Both come from a run, which has pressed them together.
         return true;
     }
-    let (first, second) = (&draft.setup.particles[i], &draft.setup.particles[j]);
-    let smaller = first.radius.min(second.radius);
-    let apart = libm::hypot(second.at[0] - first.at[0], second.at[1] - first.at[1]);
-    let overlap = first.radius + second.radius - apart;
+    let [first, second] = [i, j].map(|k| draft.setup.particles[k].radius);
+    let smaller = first.min(second);
+    let apart = libm::hypot(b.at[0] - a.at[0], b.at[1] - a.at[1]);
+    let overlap = first + second - apart;
     if overlap <= smaller * (ACCEPTED + SLACK) {
         return true;
     }
-    let message = format!(
-        "particles {} and {} overlap by {} of the smaller radius",
-        i + 1,
-        j + 1,
-        per_cent(overlap / smaller)
-    );
-    draft.report.add(
-        Problem::new(message, draft.particles[j].place)
+    let share = per_cent(overlap / smaller);
+    let edge = if across {
+        " across an edge of [cell]"
+    } else {
+        ""
+    };
+    let place = draft.particles[j].place;
+    let problem = if i == j {
+        let message = format!(
+            "particle {} overlaps its own image{edge} by {share} of its radius",
+            i + 1
+        );
+        Problem::new(message, place)
+            .expected(format!("centre of particle {}", j + 1))
+            .remedy(
+                "make it smaller or the cell larger: up to 5 % is accepted; or write overlap = \
+                     \"allow\" in [model]",
+            )
+    } else {
+        let message = format!(
+            "particles {} and {} overlap{edge} by {share} of the smaller radius",
+            i + 1,
+            j + 1
+        );
+        Problem::new(message, place)
             .expected(format!("centre of particle {}", j + 1))
             .also(
                 draft.particles[i].place,
@@ -92,97 +120,10 @@ fn check_pair(draft: &Draft<'_>, i: usize, j: usize) -> bool {
             .remedy(
                 "move them apart or make them smaller: up to 5 % is accepted; or write \
                      overlap = \"allow\" in [model]",
-            ),
-    );
-    !draft.report.is_full()
-}
-
-fn check_walls(draft: &Draft<'_>, mut sound: Vec<usize>) {
-    let particles = &draft.setup.particles;
-    let x = |i: usize| particles[i].at[0];
-    sound.sort_by(|&i, &j| x(i).total_cmp(&x(j)));
-    let widest = sound
-        .iter()
-        .map(|&i| particles[i].radius)
-        .fold(0.0, f64::max);
-    for (w, wall) in draft.setup.walls.iter().enumerate() {
-        if !draft.walls[w].sound {
-            continue;
-        }
-        let (left, right) = reach(wall);
-        let begin = sound.partition_point(|&i| x(i) < left - widest);
-        for &i in sound[begin..]
-            .iter()
-            .take_while(|&&i| x(i) <= right + widest)
-        {
-            if !check_wall(draft, i, w) {
-                return;
-            }
-        }
-    }
-}
-
-/// Leftmost and rightmost point of a wall.
-fn reach(wall: &WallSetup) -> (f64, f64) {
-    if wall.direction[0] == 0.0 {
-        return (wall.point[0], wall.point[0]);
-    }
-    let ends = [wall.h1, wall.h2].map(|h| wall.point[0] + h * wall.direction[0]);
-    (ends[0].min(ends[1]), ends[0].max(ends[1]))
-}
-
-/// Whether to go on.
-fn check_wall(draft: &Draft<'_>, i: usize, w: usize) -> bool {
-    if i < draft.sampled[0] && w < draft.sampled[1] {
-        return true;
-    }
-    let (particle, wall) = (&draft.setup.particles[i], &draft.setup.walls[w]);
-    let apart = distance(particle.at, wall);
-    let overlap = particle.radius - apart;
-    let problem = if apart == 0.0 {
-        Problem::new(
-            format!(
-                "the centre of particle {} lies on wall `{}`",
-                i + 1,
-                wall.name
-            ),
-            draft.particles[i].place,
-        )
-        .remedy("move it to the side it belongs to: a wall pushes towards the side of the centre")
-    } else if overlap > particle.radius * (ACCEPTED + SLACK) && !draft.setup.overlap_allowed {
-        Problem::new(
-            format!(
-                "particle {} overlaps wall `{}` by {} of its radius",
-                i + 1,
-                wall.name,
-                per_cent(overlap / particle.radius)
-            ),
-            draft.particles[i].place,
-        )
-        .remedy(
-            "move it away or make it smaller: up to 5 % is accepted; or write overlap = \
-                 \"allow\" in [model]",
-        )
-    } else {
-        return true;
+            )
     };
-    draft.report.add(
-        problem
-            .expected(format!("centre of particle {}", i + 1))
-            .also(draft.walls[w].place, "the wall"),
-    );
+    draft.report.add(problem);
     !draft.report.is_full()
-}
-
-/// Distance of a centre from the nearest point of a wall.
-pub(super) fn distance(at: [f64; 2], wall: &WallSetup) -> f64 {
-    let [ex, ey] = wall.direction;
-    let x = at[0] - wall.point[0];
-    let y = at[1] - wall.point[1];
-    let along = x * ex + y * ey;
-    let across = y * ex - x * ey;
-    let beyond = (wall.h1 - along).max(along - wall.h2).max(0.0);
-    libm::hypot(across, beyond)
 }
 
 fn per_cent(fraction: f64) -> String {
@@ -194,7 +135,7 @@ fn per_cent(fraction: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::engine::setup::ParticleSetup;
+    use crate::engine::setup::{BoundarySetup, ParticleSetup};
     use crate::scene::draft::Mark;
     use crate::scene::place::Place;
     use crate::scene::problem::Report;
@@ -213,6 +154,10 @@ mod tests {
     }
 
     fn found(particles: Vec<ParticleSetup>) -> usize {
+        found_in(None, particles)
+    }
+
+    fn found_in(boundary: Option<BoundarySetup>, particles: Vec<ParticleSetup>) -> usize {
         let report = Report::new(Vec::new());
         let mut draft = Draft::new(&report);
         let mark = Mark {
@@ -221,6 +166,7 @@ mod tests {
         };
         draft.particles = vec![mark; particles.len()];
         draft.setup.particles = particles;
+        draft.setup.boundary = boundary;
         check(&draft);
         report.count()
     }
@@ -237,18 +183,20 @@ mod tests {
         found
     }
 
+    /// Points that fill a square evenly.
+    fn halton(mut i: usize, base: usize) -> f64 {
+        let (mut f, mut r) = (1.0, 0.0);
+        while i > 0 {
+            f /= base as f64;
+            r += f * (i % base) as f64;
+            i /= base;
+        }
+        r
+    }
+
     #[test]
     fn the_grid_finds_what_brute_force_finds() {
-        // Halton points, sizes over three decades.
-        let halton = |mut i: usize, base: usize| {
-            let (mut f, mut r) = (1.0, 0.0);
-            while i > 0 {
-                f /= base as f64;
-                r += f * (i % base) as f64;
-                i /= base;
-            }
-            r
-        };
+        // Sizes over three decades.
         let particles: Vec<ParticleSetup> = (1..400)
             .map(|i| {
                 let at = [halton(i, 2) - 0.5, halton(i, 3) - 0.5];
@@ -258,6 +206,55 @@ mod tests {
         let expected = brute_force(&particles);
         assert!((20..1000).contains(&expected), "{expected}");
         assert_eq!(found(particles), expected);
+    }
+
+    #[test]
+    fn images_across_the_edges_of_a_cell_are_seen() {
+        // Particles that have strayed from a leaning cell by up to two of its edges.
+        let (corner, edges) = ([-0.1, 0.2], [[1.0, 0.1], [0.4, 0.8]]);
+        let particles: Vec<ParticleSetup> = (1..150)
+            .map(|i| {
+                let at = [4.0 * halton(i, 2) - 2.0, 4.0 * halton(i, 3) - 2.0];
+                particle(at, libm::pow(10.0, -0.9 - 1.5 * halton(i, 5)))
+            })
+            .collect();
+        // All images of all pairs, each pair from its first particle.
+        let mut expected = [0; 2];
+        for (i, p) in particles.iter().enumerate() {
+            for (j, q) in particles.iter().enumerate().skip(i) {
+                for n in -9..=9i32 {
+                    for m in -9..=9i32 {
+                        if i == j && (n, m) <= (0, 0) {
+                            continue;
+                        }
+                        let shift =
+                            [0, 1].map(|k| f64::from(n) * edges[0][k] + f64::from(m) * edges[1][k]);
+                        let d = [0, 1].map(|k| q.at[k] + shift[k] - p.at[k]);
+                        let overlap = p.radius + q.radius - libm::hypot(d[0], d[1]);
+                        let counts = overlap > (ACCEPTED + SLACK) * p.radius.min(q.radius);
+                        expected[usize::from((n, m) != (0, 0))] += usize::from(counts);
+                    }
+                }
+            }
+        }
+        assert!(expected[0] > 3 && expected[1] > 50, "{expected:?}");
+        let boundary = BoundarySetup::Cell { corner, edges };
+        assert_eq!(
+            found_in(Some(boundary), particles.clone()),
+            expected[0] + expected[1]
+        );
+        assert_eq!(found(particles), expected[0]);
+    }
+
+    #[test]
+    fn a_particle_wider_than_its_cell_meets_itself() {
+        let cell = |width: f64| BoundarySetup::Cell {
+            corner: [0.0; 2],
+            edges: [[width, 0.0], [0.0, 5.0]],
+        };
+        let one = || vec![particle([0.3, 0.3], 1.0)];
+        assert_eq!(found_in(Some(cell(1.96)), one()), 0);
+        assert_eq!(found_in(Some(cell(1.94)), one()), 1);
     }
 
     #[test]
