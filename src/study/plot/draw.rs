@@ -15,6 +15,9 @@ const SIZE: (u32, u32) = (860, 560);
 /// Half a cross of a mark [pixels].
 const ARM: i32 = 6;
 
+/// Width of a letter on the average over the size of its font.
+const WIDTH: f64 = 0.39;
+
 /// What a chart is made of.
 pub(super) struct Content<'a> {
     pub(super) title: &'a str,
@@ -141,7 +144,22 @@ fn draw_mark(chart: &mut Chart<'_, '_>, mark: &Mark, ends: [(f64, f64); 2], midd
         (away, lift),
         font.pos(Pos::new(side, above)),
     );
-    chart.draw_series(std::iter::once(EmptyElement::at(place) + text))?;
+    // Curves shine through the paper that it is written on.
+    let width = (WIDTH * f64::from(SMALL) * mark.label.chars().count() as f64) as i32;
+    let far = if rightwards {
+        away + width
+    } else {
+        away - width
+    };
+    let top = match mark.at {
+        At::Upright(_) => lift,
+        At::Point(..) | At::Level(_) => lift - SMALL,
+    };
+    let paper = Rectangle::new(
+        [(away.min(far), top), (away.max(far), top + SMALL)],
+        WHITE.mix(0.6).filled(),
+    );
+    chart.draw_series(std::iter::once(EmptyElement::at(place) + paper + text))?;
     Ok(())
 }
 
