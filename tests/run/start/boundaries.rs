@@ -10,6 +10,7 @@ use super::{number, put, run};
 const SAMPLE: &str = r#"
 [model]
 body = "disc"
+overlap = "allow"         # random discs know nothing of a cell that leans
 [damping]
 contact = 0.2
 global = 5.0
