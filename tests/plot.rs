@@ -399,3 +399,56 @@ fn wrong_words_are_refused_with_what_would_be_right() {
     assert_eq!(output.status.code(), Some(1));
     assert!(said(&output).contains("there is no folder `no`"));
 }
+
+/// The charts that the README shows, and the words they are drawn with.
+const CHARTS: [(&str, &str); 6] = [
+    (
+        "sin-phi",
+        "--x|deviator_strain|--y|sin_phi|--title|mobilised friction, constant volume, ten seeds|\
+         --marks|0.0005,0.36,thesis, graded: .36 by .05 %|\
+         --marks|0.001,0.30,thesis, uniform: .30 just after .1 %",
+    ),
+    (
+        "isotropic-stress",
+        "--x|deviator_strain|--y|isotropic_stress|--title|mean stress, constant volume, ten seeds|\
+         --marks|0,1e5,thesis: about 100 kPa at the start",
+    ),
+    (
+        "sliding",
+        "--x|deviator_strain|--y|sliding_fraction|--title|share of the contacts that slide, ten \
+         seeds|--marks|,0.25,thesis: at most 25 %",
+    ),
+    (
+        "anisotropy",
+        "--x|deviator_strain|--y|anisotropy|--title|anisotropy of contact normals, ten seeds|\
+         --marks|0.001,,thesis: a plateau from about .1 %",
+    ),
+    (
+        "coordination",
+        "--x|deviator_strain|--y|coordination|--title|coordination number, ten seeds|\
+         --marks|0,3.57,thesis, graded: 3.57|--marks|0,3.15,thesis, uniform: 3.15",
+    ),
+    (
+        "stress-path",
+        "--x|isotropic_stress|--y|deviator_stress|--title|stress path, constant volume, ten seeds",
+    ),
+];
+
+/// `UPDATE=1 cargo test --test plot` draws them anew.
+#[test]
+fn charts_of_the_thesis_are_those_of_its_histories() {
+    let folder = Path::new("data/thesis");
+    for (name, words) in CHARTS {
+        let files = ["plot", "graded-shear.csv", "uniform-shear.csv"];
+        let stage = ["--stage", "shear", "-o", "-"];
+        let words: Vec<&str> = words.split('|').collect();
+        let output = ballast(folder, &[&files[..], &stage, &words].concat());
+        assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+        let file = folder.join(format!("{name}.svg"));
+        if std::env::var_os("UPDATE").is_some() {
+            fs::write(&file, &output.stdout).expect("it can be written");
+        }
+        let shown = fs::read(&file).expect("it is there");
+        assert!(shown == output.stdout, "{name} is not what its rows give");
+    }
+}
