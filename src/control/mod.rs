@@ -1,10 +1,11 @@
 //! What steers boundaries by what is measured: servos that hold or follow a stress, or the force on a
-//! wall.
+//! wall; and radii that change over a number of cycles.
 //!
 //! Control reads measures and gives the engine strain rates and wall velocities; it holds no world.
-//! It acts at cycles that are multiples of [`EVERY`], before the cycle, so a run does the same however
+//! Servos act at cycles that are multiples of [`EVERY`], before the cycle; radii change before every cycle. So a run does the same however
 //! it is cut into batches or resumed.
 
+mod growth;
 mod pace;
 mod servo;
 mod target;
@@ -12,6 +13,7 @@ mod wall_servo;
 
 use serde::{Deserialize, Serialize};
 
+pub use growth::Growth;
 pub use servo::{Component, Servo};
 pub use target::Target;
 pub use wall_servo::{WallGoal, WallServo};
@@ -29,11 +31,18 @@ pub struct Control {
     pub servo: Option<Servo>,
     /// What walls are steered to.
     pub walls: Vec<WallServo>,
+    /// How the radii change.
+    pub growth: Option<Growth>,
 }
 
 impl Control {
     /// Steers, if it is time to. Stress is measured over the first region, or over everything.
     pub fn steer(&mut self, world: &mut World, regions: &[Region]) {
+        if let Some(growth) = &mut self.growth
+            && !growth.steer(world)
+        {
+            self.growth = None;
+        }
         let idle = self.servo.is_none() && self.walls.is_empty();
         if idle || !world.cycle_number().is_multiple_of(EVERY) {
             return;

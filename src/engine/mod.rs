@@ -10,6 +10,7 @@ pub mod contact;
 pub mod contact_report;
 pub mod edit;
 pub mod fault;
+mod growth;
 pub mod hash;
 pub mod ledger;
 pub mod motion;

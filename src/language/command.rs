@@ -17,6 +17,7 @@ pub use super::verbs::delete::ParticleRange;
 pub use super::verbs::export::{ContactFile, DumpOf, Export, PictureOf};
 pub use super::verbs::friction::FrictionOf;
 pub use super::verbs::generate::{Generate, GeneratePlace, MOST_GENERATED};
+pub use super::verbs::grow::Grow;
 pub use super::verbs::history::HistoryChange;
 pub use super::verbs::particle::ParticleChange;
 pub use super::verbs::print::{Measure, Printout};
@@ -39,6 +40,8 @@ pub enum Command {
     Wall(String, WallChange),
     /// Changes the particle of this number.
     Particle(u32, ParticleChange),
+    /// Multiplies all radii; `None`: no further.
+    Grow(Option<Grow>),
     /// Sets a property of the material of this name, in the unit of the property.
     Property(String, Property, f64),
     /// Sets the friction coefficient [-] of something.
@@ -148,6 +151,7 @@ impl Command {
         match self {
             Self::Create(_) => "create",
             Self::Generate(_) => "generate",
+            Self::Grow(_) => "grow",
             Self::Delete(_) => "delete",
             Self::Boundary(_) => "boundary",
             Self::Strain(_) => "strain",
@@ -191,6 +195,8 @@ impl fmt::Display for Command {
         match self {
             Self::Create(create) => write!(f, " {create}"),
             Self::Generate(generate) => write!(f, " {generate}"),
+            Self::Grow(None) => f.write_str(" off"),
+            Self::Grow(Some(grow)) => write!(f, " {grow}"),
             Self::Delete(range) => write!(f, " {range}"),
             Self::Wall(name, change) => write!(f, " {name} {change}"),
             Self::Particle(id, change) => write!(f, " {id} {change}"),

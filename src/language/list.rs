@@ -32,6 +32,7 @@ pub struct Card {
 pub const COMMANDS: &[Card] = &[
     verbs::create::CARD,
     verbs::generate::CARD,
+    verbs::grow::CARD,
     verbs::delete::CARD,
     verbs::wall::CARD,
     verbs::particle::CARD,

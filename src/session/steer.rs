@@ -2,7 +2,7 @@
 
 use super::figure::figure;
 use super::{Refusal, Session, change};
-use crate::control::{Component, Servo, Target, WallGoal, WallServo};
+use crate::control::{Component, Growth, Servo, Target, WallGoal, WallServo};
 use crate::engine::boundary::{Boundary, Ring};
 use crate::language::Command;
 use crate::language::command::{Imposed, ServoGoal, WallChange};
@@ -23,6 +23,20 @@ impl Session {
                 Ok("no servo".into())
             }
             Command::Servo(Some(goal)) => Ok(self.set_servo(goal)),
+            Command::Grow(None) => {
+                self.control.growth = None;
+                Ok("the radii stay as they are".into())
+            }
+            Command::Grow(Some(grow)) => {
+                let cycle = self.world.cycle_number();
+                if grow.over == 0 {
+                    self.control.growth = None;
+                    self.world.scale_radii(grow.factor);
+                } else {
+                    self.control.growth = Some(Growth::new(grow.factor, cycle, grow.over));
+                }
+                Ok(command.to_string())
+            }
             Command::Stress(Imposed { tensor, over }) => {
                 self.control.release(&mut self.world);
                 if self.world.load_boundary(*tensor, *over) {

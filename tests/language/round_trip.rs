@@ -2,7 +2,7 @@
 
 use ballast::engine::setup::Gravity;
 use ballast::language::command::{
-    ContactFile, Create, Damper, DumpOf, Export, FrictionOf, Generate, GeneratePlace, Goal,
+    ContactFile, Create, Damper, DumpOf, Export, FrictionOf, Generate, GeneratePlace, Goal, Grow,
     HistoryChange, Measure, ParticleChange, ParticleRange, PictureOf, Printout, Property, Solve,
     WallChange,
 };
@@ -185,6 +185,8 @@ fn about_physics() -> impl Strategy<Value = Command> {
         (damper, positive()).prop_map(|(kind, v)| Command::Damp(kind, v)),
         (0.0..=1.0).prop_map(|v| Command::Damp(Damper::Local, v)),
         (0.0..=1.0).prop_map(Command::Con1),
+        prop::option::of((positive(), count()))
+            .prop_map(|grow| { Command::Grow(grow.map(|(factor, over)| Grow { factor, over })) }),
         prop::option::of(gravity).prop_map(Command::Gravity),
         any::<bool>().prop_map(Command::Rotation),
         Just(Command::Zero),

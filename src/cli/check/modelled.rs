@@ -98,6 +98,7 @@ fn changes_model(command: &Command) -> bool {
             | Command::Rotation(_)
             | Command::Create(_)
             | Command::Generate(_)
+            | Command::Grow(_)
             | Command::Delete(_)
     )
 }

@@ -12,6 +12,7 @@ pub mod frac;
 pub mod friction;
 pub mod generate;
 pub mod gravity;
+pub mod grow;
 pub mod help;
 pub mod history;
 pub mod inspect;
