@@ -173,6 +173,11 @@ fn every_command_is_listed_and_has_a_page() {
 fn check_tells_what_a_user_wants_to_know() {
     for preset in PRESETS {
         let report = listed(&["check", preset.name]);
+        // Most cannot be told before the sample is prepared.
+        if preset.text.contains("\n[start]\n") {
+            assert!(report.contains("\nstarts from:"), "{report}");
+            continue;
+        }
         for label in [
             "modelled:",
             "not modelled:",

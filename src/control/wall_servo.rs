@@ -40,7 +40,7 @@ impl WallServo {
         let Some(w) = found else { return false };
         let wall = &world.walls()[w];
         let pressed = WallForce::of(world, w).force;
-        let normal = away(world, wall);
+        let normal = away(world, w);
         let along = |v: [f64; 2]| v[0] * normal[0] + v[1] * normal[1];
         // What pushes the wall, and where to.
         let (push, scale) = match &self.goal {
@@ -76,15 +76,21 @@ impl WallServo {
     }
 }
 
-/// Unit normal of the wall, from the particles to it.
-fn away(world: &World, wall: &Wall) -> [f64; 2] {
+/// Unit normal of the wall, from the particles near it to it; of all particles if none is near.
+fn away(world: &World, w: usize) -> [f64; 2] {
+    let wall = &world.walls()[w];
     let [e1, e2] = wall.direction;
     let rows = &world.particles().row;
-    let height: f64 = rows
-        .iter()
-        .map(|row| (row.x[1] - wall.point[1]) * e1 - (row.x[0] - wall.point[0]) * e2)
+    let height = |x: [f64; 2]| (x[1] - wall.point[1]) * e1 - (x[0] - wall.point[0]) * e2;
+    let near = world.contacts().walls.iter();
+    let near = near.filter(|pair| pair.wall as usize == w);
+    let mut sum: f64 = near
+        .map(|pair| height(rows[pair.particle as usize].x))
         .sum();
-    if height >= 0.0 { [e2, -e1] } else { [-e2, e1] }
+    if sum == 0.0 {
+        sum = rows.iter().map(|row| height(row.x)).sum();
+    }
+    if sum >= 0.0 { [e2, -e1] } else { [-e2, e1] }
 }
 
 /// Normal stiffness of the contacts at a wall [N/m], and the mean mass of a particle [kg].

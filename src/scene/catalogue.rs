@@ -70,6 +70,23 @@ pub const PRESETS: &[Preset] = &[
         include_str!("../../presets/uniform-shear.toml"),
     ),
     preset(
+        "barnes-1000",
+        include_str!("../../presets/barnes-1000.toml"),
+    ),
+    preset(
+        "friction-sweep",
+        include_str!("../../presets/friction-sweep.toml"),
+    ),
+    preset(
+        "continuum-shear-unstable",
+        include_str!("../../presets/continuum-shear-unstable.toml"),
+    ),
+    preset("con1-sweep", include_str!("../../presets/con1-sweep.toml")),
+    preset(
+        "centripetal",
+        include_str!("../../presets/centripetal.toml"),
+    ),
+    preset(
         "chung-ooi-1",
         include_str!("../../presets/chung-ooi-1.toml"),
     ),
