@@ -195,7 +195,6 @@ impl fmt::Display for Command {
         match self {
             Self::Create(create) => write!(f, " {create}"),
             Self::Generate(generate) => write!(f, " {generate}"),
-            Self::Grow(None) => f.write_str(" off"),
             Self::Grow(Some(grow)) => write!(f, " {grow}"),
             Self::Delete(range) => write!(f, " {range}"),
             Self::Wall(name, change) => write!(f, " {name} {change}"),
@@ -223,7 +222,7 @@ impl fmt::Display for Command {
             Self::Print(what) => write!(f, " {what}"),
             Self::InspectContact(i, Partner::Particle(j)) => write!(f, " contact {i}-{j}"),
             Self::InspectContact(i, Partner::Wall(wall)) => write!(f, " contact {i}-{wall}"),
-            Self::InspectOff | Self::Servo(None) => f.write_str(" off"),
+            Self::InspectOff | Self::Grow(None) | Self::Servo(None) => f.write_str(" off"),
             Self::History(change) => write!(f, "{change}"),
             Self::Export(what, file) => write!(f, " {}", export::line(what, file)),
             Self::Save(file) | Self::Restore(file) | Self::Journal(file) | Self::Source(file) => {
