@@ -87,6 +87,18 @@ pub const PRESETS: &[Preset] = &[
         include_str!("../../presets/centripetal.toml"),
     ),
     preset(
+        "constant-mean-stress",
+        include_str!("../../presets/constant-mean-stress.toml"),
+    ),
+    preset(
+        "laws-compared",
+        include_str!("../../presets/laws-compared.toml"),
+    ),
+    preset(
+        "load-unload",
+        include_str!("../../presets/load-unload.toml"),
+    ),
+    preset(
         "chung-ooi-1",
         include_str!("../../presets/chung-ooi-1.toml"),
     ),
