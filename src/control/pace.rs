@@ -53,7 +53,8 @@ impl Pace {
         Self {
             modulus,
             time: crossing * crossings(drag(world) * crossing),
-            fastest: INERTIAL / diameter * (stress.abs() / density).sqrt(),
+            // Without particles there is nothing to move.
+            fastest: finite(INERTIAL / diameter * (stress.abs() / density).sqrt()),
         }
     }
 }
@@ -82,4 +83,8 @@ fn size(world: &World) -> f64 {
     }
     let [low, high] = world.particles().extent();
     (high[0] - low[0]).max(high[1] - low[1])
+}
+
+fn finite(x: f64) -> f64 {
+    if x.is_finite() { x } else { 0.0 }
 }

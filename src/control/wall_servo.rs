@@ -62,7 +62,9 @@ impl WallServo {
             0.0
         };
         let time = time.max(2.0 * EVERY as f64 * dt);
-        let fastest = fastest(world, wall, scale);
+        let fastest = Some(fastest(world, wall, scale));
+        // Without particles there is nothing to move to.
+        let fastest = fastest.filter(|v| v.is_finite()).unwrap_or(0.0);
         let limit = |v: f64| v.clamp(-fastest, fastest);
         let velocity = if stiffness > 0.0 {
             push.map(|push| limit(push / (stiffness * time)))

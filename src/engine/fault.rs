@@ -55,6 +55,17 @@ pub enum Fault {
         /// Name of the wall.
         wall: String,
     },
+    /// A periodic cell has become narrower than a particle.
+    #[error(
+        "cycle {cycle}: the periodic cell is {width:.3e} m wide, less than the radius of a particle; \
+         strain it less"
+    )]
+    Narrow {
+        /// Cycle in which it happened.
+        cycle: u64,
+        /// Distance between two sides [m].
+        width: f64,
+    },
     /// The time step is zero, infinite or no number.
     #[error(
         "cycle {cycle}: the time step is {dt:?} s; check densities and stiffnesses, or give \

@@ -330,6 +330,16 @@ impl World {
     }
 
     fn lost_particle(&self) -> Result<(), Fault> {
+        if let Some(cell) = self.cell() {
+            let [a, b] = cell.widths();
+            let width = a.min(b);
+            let rows = self.particles.row.iter();
+            let largest = rows.fold(0.0, |most: f64, row| most.max(row.radius));
+            if width.is_nan() || width < largest {
+                let cycle = self.cycle;
+                return Err(Fault::Narrow { cycle, width });
+            }
+        }
         for (row, &particle) in self.particles.row.iter().zip(&self.particles.id) {
             let distance = row.x[0].abs().max(row.x[1].abs());
             if distance > LOST * (self.size + self.origin_size()) {

@@ -197,3 +197,16 @@ fn cells_of_one_and_of_many_discs_are_one_material() {
     assert!(one.norm() > 0.1 * K * OVERLAP);
     assert!((one - many).norm() < 1e-9 * one.norm(), "{one} {many}");
 }
+
+/// A cell that shrinks to nothing is a fault, not an endless search among its images.
+#[test]
+fn a_cell_cannot_be_narrower_than_a_particle() {
+    let mut setup = packed([D, 0.0], [0.0, D], [1, 1], 0.0);
+    setup.strain_rate = [[0.05, 0.0], [0.0, 0.05]];
+    let mut world = built(setup);
+    let fault = (0..20_000).find_map(|_| world.cycle().err());
+    assert!(
+        matches!(fault, Some(ballast::engine::Fault::Narrow { .. })),
+        "{fault:?}"
+    );
+}
