@@ -2,8 +2,8 @@
 //! wall; and radii that change over a number of cycles.
 //!
 //! Control reads measures and gives the engine strain rates and wall velocities; it holds no world.
-//! Servos act at cycles that are multiples of [`EVERY`], before the cycle; radii change before every cycle. So a run does the same however
-//! it is cut into batches or resumed.
+//! Servos act at cycles that are multiples of [`EVERY`], before the cycle; radii change before every
+//! cycle. So a run does the same however it is cut into batches or resumed.
 
 mod growth;
 mod pace;

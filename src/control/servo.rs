@@ -77,7 +77,11 @@ impl Servo {
 
     /// Stress that is steered [Pa]: of a region, or of everything.
     pub fn measured(world: &World, shape: Shape) -> Tensor {
-        let stress = Stress::of(world, &Content::of(world, shape)).total;
+        Self::within(world, &Content::of(world, shape))
+    }
+
+    fn within(world: &World, content: &Content) -> Tensor {
+        let stress = Stress::of(world, content).total;
         [
             [stress[(0, 0)], stress[(0, 1)]],
             [stress[(1, 0)], stress[(1, 1)]],
@@ -87,7 +91,7 @@ impl Servo {
     pub(super) fn steer(&mut self, world: &mut World, shape: Shape) {
         let cycle = world.cycle_number();
         let content = Content::of(world, shape);
-        let stress = Self::measured(world, shape);
+        let stress = Self::within(world, &content);
         let wanted = |target: &Target| target.at(cycle);
         let scale = self
             .goals

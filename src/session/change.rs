@@ -91,18 +91,22 @@ pub(super) fn world(world: &mut World, command: &Command) -> Result<String, Refu
     }
 }
 
-fn create(world: &mut World, new: &Create) -> Result<String, Refusal> {
+/// The material of new particles: the first one of the scene if none is named.
+pub(super) fn material(world: &World, name: Option<&String>) -> Result<usize, Refusal> {
     let materials = &world.model().materials;
-    let material = match &new.material {
-        None => 0,
-        Some(name) => materials.iter().position(|m| m.name == *name).unwrap_or(0),
-    };
+    let named = |name: &String| materials.iter().position(|m| m.name == *name);
+    let material = name.and_then(named).unwrap_or(0);
     if materials[material].rigid {
         return Err(Refusal::new(
             format!("material {} is rigid", materials[material].name),
             "only walls can be: name another material",
         ));
     }
+    Ok(material)
+}
+
+fn create(world: &mut World, new: &Create) -> Result<String, Refusal> {
+    let material = material(world, new.material.as_ref())?;
     if !world.model().overlap_allowed
         && let Some((what, overlap)) = deepest(world, new.at, new.radius)
     {

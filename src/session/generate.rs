@@ -1,6 +1,7 @@
 //! `generate`: particles at random in a world as it is.
 
 use super::Refusal;
+use super::change::material;
 use super::figure::figure;
 use crate::engine::World;
 use crate::engine::setup::{ParticleSetup, WallSetup};
@@ -9,17 +10,7 @@ use crate::scene::{Around, places};
 
 /// Adds them; says which.
 pub(super) fn generate(world: &mut World, seed: u64, new: &Generate) -> Result<String, Refusal> {
-    let materials = &world.model().materials;
-    let material = match &new.material {
-        None => 0,
-        Some(name) => materials.iter().position(|m| m.name == *name).unwrap_or(0),
-    };
-    if materials[material].rigid {
-        return Err(Refusal::new(
-            format!("material {} is rigid", materials[material].name),
-            "only walls can be: name another material",
-        ));
-    }
+    let material = material(world, new.material.as_ref())?;
     if new.count.is_none() && new.most() > MOST_GENERATED {
         return Err(Refusal::new(
             format!("up to {} particles would fit", new.most()),
