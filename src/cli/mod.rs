@@ -21,6 +21,7 @@ mod workbench;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
+use crate::engine::lanes::Isa;
 use crate::language::command::PictureOf;
 use crate::scene::Seeds;
 use clap::{Args, CommandFactory, Parser, Subcommand};
@@ -45,6 +46,16 @@ struct Cli {
     command: Option<Command>,
     #[command(flatten)]
     workbench: Workbench,
+    /// Vector instructions: baseline, avx2 or avx512; the widest there are if not given. Results do
+    /// not depend on it
+    #[arg(
+        long,
+        value_name = "NAME",
+        global = true,
+        env = "BALLAST_ISA",
+        hide_env_values = true
+    )]
+    isa: Option<Isa>,
 }
 
 /// Options of the workbench, which opens when no command is given.
@@ -322,6 +333,9 @@ pub fn main() -> ExitCode {
             return ExitCode::from(status);
         }
     };
+    if let Some(isa) = cli.isa {
+        isa.choose();
+    }
     let status = match cli.command {
         None => workbench::open(&cli.workbench),
         Some(Command::Run(options)) => run::run(&options),

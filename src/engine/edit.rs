@@ -178,7 +178,7 @@ impl World {
         match motion {
             Motion::Velocity(v) => row.v = [before(v[0], x), before(v[1], y)],
             Motion::Spin(w) if self.model.rotation => {
-                row.spin = before(w, turn);
+                row.set_spin(before(w, turn));
                 self.turning |= row.spin != 0.0;
             }
             Motion::Spin(_) => {}
@@ -353,7 +353,7 @@ impl World {
             let material = usize::from(world.particles.material[p]);
             let density = world.model.materials[material].density;
             let mass = Inertia::of(world.model.body, radius, density);
-            world.particles.row[p].radius = radius;
+            world.particles.row[p].set_radius(radius);
             (world.particles.mass[p], world.particles.inertia[p]) = (mass.mass, mass.inertia);
             world.rework();
         });
@@ -441,10 +441,7 @@ impl World {
                 }
             }
             // The change is none of the FRACC monitor's business: no comparison with old sums.
-            for p in 0..world.particles.len() {
-                world.particles.force[p] =
-                    world.contacts.sum::<true>(p, world.particles.row[p].radius);
-            }
+            world.pass_over_particles(motion::settle);
             world.settled = true;
         });
     }
@@ -477,7 +474,9 @@ impl World {
     /// The pass follows the list, whose contacts stood at these places before.
     fn keep(&mut self, places: &[u32]) {
         let mut pass = self.take_pass();
-        pass.relist(places, self.room(), &|k| self.basis(k));
+        pass.relist(places, self.contacts.pairs.len(), self.room(), &|k| {
+            self.basis(k)
+        });
         self.put_pass(pass);
     }
 

@@ -13,7 +13,7 @@ impl World {
                     let density = world.model.materials[material].density;
                     let radius = world.particles.row[p].radius * by;
                     let mass = Inertia::of(world.model.body, radius, density);
-                    world.particles.row[p].radius = radius;
+                    world.particles.row[p].set_radius(radius);
                     (world.particles.mass[p], world.particles.inertia[p]) =
                         (mass.mass, mass.inertia);
                 }

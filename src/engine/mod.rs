@@ -12,6 +12,7 @@ pub mod edit;
 pub mod fault;
 mod growth;
 pub mod hash;
+pub mod lanes;
 pub mod ledger;
 pub mod motion;
 pub mod neighbours;

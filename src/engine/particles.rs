@@ -20,6 +20,36 @@ pub struct Row {
     pub x: [f64; 2],
     /// Angle [rad].
     pub angle: f64,
+    /// Spin times radius [m/s], kept by whoever changes either.
+    #[serde(skip)]
+    pub(super) rim: f64,
+}
+
+impl Row {
+    /// A particle of this radius [m] in a place [m] with velocities [m/s], [rad/s].
+    pub fn new(x: [f64; 2], radius: f64, v: [f64; 2], spin: f64) -> Self {
+        Self {
+            v,
+            spin,
+            radius,
+            x,
+            angle: 0.0,
+            rim: spin * radius,
+        }
+    }
+
+    /// Changes the spin [rad/s].
+    #[inline(always)]
+    pub fn set_spin(&mut self, spin: f64) {
+        self.spin = spin;
+        self.rim = spin * self.radius;
+    }
+
+    /// Changes the radius [m].
+    pub fn set_radius(&mut self, radius: f64) {
+        self.radius = radius;
+        self.rim = self.spin * radius;
+    }
 }
 
 /// How a particle answers force: zero where its velocity is prescribed.
@@ -30,6 +60,20 @@ pub struct Mobility {
     pub kick: [f64; 2],
     /// dt R/I [s/(kg m)]: times the sum of tangential forces gives the change of spin.
     pub turn: f64,
+    /// Fills the row.
+    #[serde(skip)]
+    rest: f64,
+}
+
+impl Mobility {
+    /// From dt/m in each direction [s/kg] and dt R/I [s/(kg m)].
+    pub fn new(kick: [f64; 2], turn: f64) -> Self {
+        Self {
+            kick,
+            turn,
+            rest: 0.0,
+        }
+    }
 }
 
 /// Contact force on a particle.
@@ -88,12 +132,10 @@ impl Particles {
     /// Appends a particle under a number above all others.
     pub fn push(&mut self, id: u32, p: &ParticleSetup, origin: [f64; 2], mass: Inertia) {
         self.id.push(id);
+        let x = [p.at[0] - origin[0], p.at[1] - origin[1]];
         self.row.push(Row {
-            v: p.velocity,
-            spin: p.spin,
-            radius: p.radius,
-            x: [p.at[0] - origin[0], p.at[1] - origin[1]],
             angle: p.angle,
+            ..Row::new(x, p.radius, p.velocity, p.spin)
         });
         self.mobility.push(Mobility::default());
         self.force.push(Sum::default());

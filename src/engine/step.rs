@@ -74,7 +74,7 @@ impl World {
         }
     }
 
-    fn pass_over_particles(
+    pub(super) fn pass_over_particles(
         &mut self,
         work: impl Fn(Inputs<'_>, &mut [Row], &mut [Sum], &Threads) -> Watch,
     ) -> Watch {
@@ -99,6 +99,7 @@ impl World {
             fracc: !self.first_kick && due,
             spin,
             drag: Dragged::new(&model.damping, part * self.dt),
+            isa: self.isa,
         };
         work(inputs, &mut particles.row, &mut particles.force, threads)
     }
@@ -158,6 +159,7 @@ impl World {
             wall_pairs: &contacts.walls,
             wall_touches: &contacts.touches,
             dt,
+            isa: self.isa,
         };
         pass.evaluate(
             view,
@@ -205,7 +207,9 @@ impl World {
         let old = contacts.rebuild(&self.particles, &self.walls, self.cell(), self.tol);
         self.contacts = contacts;
         self.see();
-        pass.relist(&old, self.room(), &|k| self.basis(k));
+        pass.relist(&old, self.contacts.pairs.len(), self.room(), &|k| {
+            self.basis(k)
+        });
         self.contacts.give_back(old);
         self.put_pass(pass);
     }

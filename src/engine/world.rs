@@ -8,6 +8,7 @@ use super::boundary::{Boundary, Straining};
 use super::contact::pass::ContactPass;
 use super::contact::quantities::BasisOwned;
 use super::fault::Fault;
+use super::lanes::Isa;
 use super::ledger::Ledger;
 use super::neighbours::list::ContactList;
 use super::origin::far_origin;
@@ -69,6 +70,8 @@ pub struct World {
     pub(super) pass: Option<Box<dyn ContactPass>>,
     #[serde(skip)]
     pub(super) threads: Threads,
+    #[serde(skip)]
+    pub(super) isa: Isa,
 }
 
 /// What the FRACC monitor saw.
@@ -136,6 +139,7 @@ impl World {
             loads: Vec::new(),
             pass: None,
             threads: Threads::new(threads),
+            isa: Isa::default(),
             model: Setup {
                 particles: Vec::new(),
                 walls: Vec::new(),
@@ -175,11 +179,30 @@ impl World {
         self.threads = Threads::new(threads);
         let mut pass = self.plan().pass();
         let old = vec![u32::MAX; self.contacts.len()];
-        pass.relist(&old, self.room(), &|k| self.basis(k));
+        pass.relist(&old, self.contacts.pairs.len(), self.room(), &|k| {
+            self.basis(k)
+        });
         let fits = pass.load(&std::mem::take(&mut self.memory));
+        for row in &mut self.particles.row {
+            row.set_spin(row.spin);
+        }
         self.pass = Some(pass);
         self.see();
         fits
+    }
+
+    /// Uses other vector instructions; what is worked out stays the same.
+    ///
+    /// # Panics
+    /// If this processor has them not.
+    pub fn use_instructions(&mut self, isa: Isa) {
+        assert!(isa.is_here(), "this processor has no {isa}");
+        self.isa = isa;
+    }
+
+    /// Vector instructions in use.
+    pub fn instructions(&self) -> Isa {
+        self.isa
     }
 
     /// Cycles done.
@@ -307,7 +330,9 @@ impl World {
         self.critical_above = self.critical_overlap();
         let mut pass = self.plan().pass();
         let old = vec![u32::MAX; self.contacts.len()];
-        pass.relist(&old, self.room(), &|k| self.basis(k));
+        pass.relist(&old, self.contacts.pairs.len(), self.room(), &|k| {
+            self.basis(k)
+        });
         if let Some(before) = self.pass.take() {
             pass.take_over(before.as_ref(), &|k| self.geometry(k).overlap);
         }
@@ -322,7 +347,7 @@ impl World {
         let rows = &mut self.particles.row;
         if !self.model.rotation {
             for row in rows.iter_mut() {
-                row.spin = 0.0;
+                row.set_spin(0.0);
             }
         }
         self.turning = rows.iter().any(|row| row.spin != 0.0);
@@ -399,14 +424,12 @@ impl World {
             let free = |axis: usize, gain: f64| if p.fixed[k][axis] { 0.0 } else { gain };
             let kick = dt / p.mass[k];
             let turn = dt * p.row[k].radius / p.inertia[k];
-            p.mobility[k] = Mobility {
-                kick: [free(0, kick), free(1, kick)],
-                turn: if self.model.rotation {
-                    free(2, turn)
-                } else {
-                    0.0
-                },
+            let turn = if self.model.rotation {
+                free(2, turn)
+            } else {
+                0.0
             };
+            p.mobility[k] = Mobility::new([free(0, kick), free(1, kick)], turn);
         }
     }
 

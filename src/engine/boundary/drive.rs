@@ -347,7 +347,7 @@ impl World {
             if let Some(p) = self.particles.index(id) {
                 self.particles.fixed[p] = fixed;
                 self.particles.row[p].v = [0.0; 2];
-                self.particles.row[p].spin = 0.0;
+                self.particles.row[p].set_spin(0.0);
             }
         }
     }
@@ -376,7 +376,7 @@ impl World {
                     world.particles.fixed[p] = fixed;
                     world.particles.applied[p] = [0.0; 2];
                     if fixed[2] {
-                        world.particles.row[p].spin = 0.0;
+                        world.particles.row[p].set_spin(0.0);
                     }
                 }
                 world.weigh();

@@ -3,27 +3,51 @@
 //! Cundall & Strack 1979, (26) to (28): forces from the velocities of the last half step, the
 //! tangential one off while the contact slides.
 
-use super::parts::Viscosity;
+use super::numbers::{Numbers, Reading, Writing, Written, numbers};
+use super::parts::{Dashpots, Viscosity};
 use super::quantities::{Basis, Touch};
+use crate::engine::lanes::Lanes;
 
 /// No dashpot.
 #[derive(Debug, Clone, Copy)]
 pub struct Undamped;
 
-impl Viscosity for Undamped {
-    fn prepare(_: &Basis<'_>) -> Self {
+impl<V: Lanes> Numbers<V> for Undamped {
+    const COUNT: usize = 0;
+
+    #[inline(always)]
+    fn take(_: &mut Reading) -> Self {
         Self
     }
+}
 
+impl Written<f64> for Undamped {
+    fn give(self, _: bool, _: &mut Writing) {}
+}
+
+impl<V: Lanes> Dashpots<V> for Undamped {
     #[inline(always)]
-    fn normal(&self, elastic: f64, _: f64, _: &Touch) -> f64 {
+    fn normal(&self, elastic: V, _: V, _: &Touch<V>) -> V {
         // A spring that was summed up from increments may have gone below zero.
-        if elastic > 0.0 { elastic } else { 0.0 }
+        elastic.positive()
     }
 
     #[inline(always)]
-    fn tangential(&self, _: f64, _: &Touch) -> f64 {
-        0.0
+    fn rubs(&self, _: &Touch<V>) -> bool {
+        false
+    }
+
+    #[inline(always)]
+    fn tangential(&self, _: V, _: &Touch<V>) -> V {
+        V::all(0.0)
+    }
+}
+
+impl Viscosity for Undamped {
+    type On<V: Lanes> = Self;
+
+    fn prepare(_: &Basis<'_>) -> Self {
+        Self
     }
 
     fn viscosity(&self, _: [f64; 2], _: f64) -> [f64; 2] {
@@ -33,14 +57,20 @@ impl Viscosity for Undamped {
 
 /// What a dashpot does to the normal force, whatever its viscosity.
 #[derive(Debug, Clone, Copy)]
-struct Rule {
+struct Rule<V = f64> {
     /// Overlap above which the contact is damped critically [m].
-    above: f64,
+    above: V,
     /// The least the total normal force may be [N].
-    floor: f64,
+    floor: V,
     /// 1/(2 M*) for the centred form, 0 for velocities of the half step before [1/kg].
-    centre: f64,
+    centre: V,
 }
+
+numbers!(Rule {
+    above: V,
+    floor: V,
+    centre: V
+});
 
 impl Rule {
     fn of(basis: &Basis<'_>) -> Self {
@@ -51,116 +81,185 @@ impl Rule {
             centre: if pair.centred { 0.5 / basis.m_eff } else { 0.0 },
         }
     }
+}
+
+impl<V: Lanes> Rule<V> {
+    /// Where a contact is damped critically.
+    #[inline(always)]
+    fn is_critical(&self, touch: &Touch<V>) -> V::Mask {
+        touch.overlap.above(self.above) & touch.touching
+    }
 
     /// Spring and dashpot together [N]. Centred: the velocity at the boundary itself, as far as the
     /// force of this contact makes it, v - F dt/(2 M*), solved for F.
     #[inline(always)]
-    fn normal(&self, elastic: f64, c: f64, touch: &Touch) -> f64 {
-        let mut sum = elastic + c * touch.approach;
-        if self.centre > 0.0 {
-            sum /= 1.0 + c * self.centre * touch.dt;
-        }
-        if sum > self.floor { sum } else { self.floor }
+    fn normal(&self, elastic: V, c: V, touch: &Touch<V>) -> V {
+        let sum = elastic + c * touch.approach;
+        let sum = if V::any(self.centre.above(V::all(0.0))) {
+            sum / (V::all(1.0) + c * self.centre * touch.dt)
+        } else {
+            sum
+        };
+        V::pick(sum.above(self.floor), sum, self.floor)
     }
+}
+
+/// Whether any of these numbers is not nought.
+#[inline(always)]
+fn any<V: Lanes>(numbers: V) -> bool {
+    V::any(!numbers.equals(V::all(0.0)))
 }
 
 /// Dashpots of constant viscosity, beside constant springs.
 #[derive(Debug, Clone, Copy)]
-pub struct Constant {
-    c: [f64; 2],
-    critical: [f64; 2],
-    rule: Rule,
+pub struct Constant<V = f64> {
+    c: [V; 2],
+    critical: [V; 2],
+    rule: Rule<V>,
 }
 
-impl Constant {
+numbers!(Constant { c: [V; 2], critical: [V; 2], rule: Rule<V> });
+
+impl<V: Lanes> Constant<V> {
     #[inline(always)]
-    fn at(&self, part: usize, overlap: f64) -> f64 {
-        if overlap > self.rule.above {
-            self.critical[part]
-        } else {
-            self.c[part]
-        }
+    fn at(&self, part: usize, touch: &Touch<V>) -> V {
+        V::pick(
+            self.rule.is_critical(touch),
+            self.critical[part],
+            self.c[part],
+        )
+    }
+}
+
+impl<V: Lanes> Dashpots<V> for Constant<V> {
+    #[inline(always)]
+    fn normal(&self, elastic: V, _: V, touch: &Touch<V>) -> V {
+        self.rule.normal(elastic, self.at(0, touch), touch)
+    }
+
+    #[inline(always)]
+    fn rubs(&self, touch: &Touch<V>) -> bool {
+        any(self.at(1, touch))
+    }
+
+    #[inline(always)]
+    fn tangential(&self, _: V, touch: &Touch<V>) -> V {
+        self.at(1, touch) * touch.slide
     }
 }
 
 impl Viscosity for Constant {
+    type On<V: Lanes> = Constant<V>;
+
     fn prepare(basis: &Basis<'_>) -> Self {
         let Basis { pair, m_eff, .. } = basis;
         let (k_n, k_s) = (pair.normal_stiffness, pair.shear_stiffness);
         let critical = |b: f64, k: f64| 2.0 * b * (m_eff * k).sqrt();
         // One of the two is zero, and adding zero changes no bit.
         let c = |part: usize, k: f64| critical(pair.fraction[part], k) + pair.beta[part] * k;
+        let rule = Rule::of(basis);
         Self {
             c: [c(0, k_n), c(1, k_s)],
-            critical: [critical(1.0, k_n), critical(1.0, k_s)],
-            rule: Rule::of(basis),
+            critical: if rule.above.is_infinite() {
+                [0.0; 2]
+            } else {
+                [critical(1.0, k_n), critical(1.0, k_s)]
+            },
+            rule,
         }
     }
 
-    #[inline(always)]
-    fn normal(&self, elastic: f64, _: f64, touch: &Touch) -> f64 {
-        self.rule.normal(elastic, self.at(0, touch.overlap), touch)
-    }
-
-    #[inline(always)]
-    fn tangential(&self, _: f64, touch: &Touch) -> f64 {
-        self.at(1, touch.overlap) * touch.slide
-    }
-
     fn viscosity(&self, _: [f64; 2], overlap: f64) -> [f64; 2] {
-        [self.at(0, overlap), self.at(1, overlap)]
+        if overlap > self.rule.above {
+            self.critical
+        } else {
+            self.c
+        }
     }
 }
 
 /// Dashpots that follow the stiffness of the springs beside them: c = 2 b √(M* k), Randall 1989,
 /// (4.13), or c = β k.
 #[derive(Debug, Clone, Copy)]
-pub struct Following {
+pub struct Following<V = f64> {
     /// 2 b √M* [kg^½].
-    gauge: [f64; 2],
+    gauge: [V; 2],
     /// 2 √M* [kg^½].
-    critical: f64,
+    critical: V,
     /// c/k [s].
-    beta: [f64; 2],
-    rule: Rule,
+    beta: [V; 2],
+    rule: Rule<V>,
 }
 
-impl Following {
+numbers!(Following { gauge: [V; 2], critical: V, beta: [V; 2], rule: Rule<V> });
+
+impl<V: Lanes> Following<V> {
+    /// Whether there is a dashpot in any lane.
     #[inline(always)]
-    fn at(&self, part: usize, k: f64, overlap: f64) -> f64 {
-        if overlap > self.rule.above {
-            self.critical * k.sqrt()
+    fn acts(&self, part: usize, touch: &Touch<V>) -> bool {
+        any(self.gauge[part]) || any(self.beta[part]) || V::any(self.rule.is_critical(touch))
+    }
+
+    #[inline(always)]
+    fn at(&self, part: usize, k: V, touch: &Touch<V>) -> V {
+        let root = k.sqrt();
+        V::pick(
+            self.rule.is_critical(touch),
+            self.critical * root,
+            self.gauge[part] * root + self.beta[part] * k,
+        )
+    }
+}
+
+impl<V: Lanes> Dashpots<V> for Following<V> {
+    #[inline(always)]
+    fn normal(&self, elastic: V, stiffness: V, touch: &Touch<V>) -> V {
+        if self.acts(0, touch) {
+            let c = self.at(0, stiffness, touch);
+            self.rule.normal(elastic, c, touch)
         } else {
-            self.gauge[part] * k.sqrt() + self.beta[part] * k
+            V::pick(elastic.above(self.rule.floor), elastic, self.rule.floor)
         }
+    }
+
+    #[inline(always)]
+    fn rubs(&self, touch: &Touch<V>) -> bool {
+        self.acts(1, touch)
+    }
+
+    #[inline(always)]
+    fn tangential(&self, stiffness: V, touch: &Touch<V>) -> V {
+        self.at(1, stiffness, touch) * touch.slide
     }
 }
 
 impl Viscosity for Following {
+    type On<V: Lanes> = Following<V>;
+
     fn prepare(basis: &Basis<'_>) -> Self {
         let pair = basis.pair;
         let critical = 2.0 * basis.m_eff.sqrt();
+        let rule = Rule::of(basis);
         Self {
             gauge: pair.fraction.map(|b| b * critical),
-            critical,
+            critical: if rule.above.is_infinite() {
+                0.0
+            } else {
+                critical
+            },
             beta: pair.beta,
-            rule: Rule::of(basis),
+            rule,
         }
     }
 
-    #[inline(always)]
-    fn normal(&self, elastic: f64, stiffness: f64, touch: &Touch) -> f64 {
-        let c = self.at(0, stiffness, touch.overlap);
-        self.rule.normal(elastic, c, touch)
-    }
-
-    #[inline(always)]
-    fn tangential(&self, stiffness: f64, touch: &Touch) -> f64 {
-        self.at(1, stiffness, touch.overlap) * touch.slide
-    }
-
     fn viscosity(&self, k: [f64; 2], overlap: f64) -> [f64; 2] {
-        [self.at(0, k[0], overlap), self.at(1, k[1], overlap)]
+        [0, 1].map(|part| {
+            if overlap > self.rule.above {
+                self.critical * k[part].sqrt()
+            } else {
+                self.gauge[part] * k[part].sqrt() + self.beta[part] * k[part]
+            }
+        })
     }
 }
 

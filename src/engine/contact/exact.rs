@@ -3,14 +3,17 @@
 use super::card::{Card, FRICTION, POISSON, Slip, YOUNG};
 use super::dashpot::Following;
 use super::diagram::{Diagram, Partial};
+use super::each::{Alone, Each};
 use super::hertz::{self, Hertz};
 use super::inner::Inner;
 use super::linear::Frictionless;
-use super::memory::Memory;
+use super::memory::{Memory, kept_whole};
+use super::numbers::{Numbers, Reading, Writing, Written};
 use super::parts::Tangential;
 use super::pass::ContactPass;
 use super::quantities::{Basis, Load, Shear, Touch};
 use super::traction::Traction;
+use crate::engine::lanes::Lanes;
 use crate::engine::plan::Plan;
 
 /// Row in the list.
@@ -45,7 +48,29 @@ pub struct ExactShear<const M: usize> {
     friction: f64,
 }
 
+impl<const M: usize> Numbers<f64> for ExactShear<M> {
+    const COUNT: usize = Partial::COUNT + 1;
+
+    #[inline(always)]
+    fn take(from: &mut Reading) -> Self {
+        let partial = Partial::take(from);
+        Self {
+            partial,
+            friction: from.column(),
+        }
+    }
+}
+
+impl<const M: usize> Written<f64> for ExactShear<M> {
+    fn give(self, mask: bool, to: &mut Writing) {
+        self.partial.give(mask, to);
+        self.friction.give(mask, to);
+    }
+}
+
 impl<const M: usize> Memory for Diagram<M> {
+    kept_whole!();
+
     fn reduced(&self) -> [f64; 2] {
         [0.0, self.force()]
     }
@@ -55,9 +80,26 @@ impl<const M: usize> Memory for Diagram<M> {
     }
 }
 
+impl<const M: usize> Alone for ExactShear<M> {
+    #[inline(always)]
+    fn force(&self, touch: &Touch, load: &Load, memory: &mut Diagram<M>) -> Shear {
+        let slip = self
+            .partial
+            .advance(touch.overlap, touch.slide * touch.dt, memory);
+        let limit = self.friction * load.total;
+        Shear {
+            force: slip.force,
+            loss: [slip.gross, slip.micro],
+            sliding: slip.sliding,
+            // A dashpot that pulls must not turn the limit negative.
+            limit: if limit > 0.0 { limit } else { 0.0 },
+        }
+    }
+}
+
 impl<const M: usize> Tangential for ExactShear<M> {
-    type Memory = Diagram<M>;
-    const ACTIVE: bool = true;
+    type Memo = Diagram<M>;
+    type On<V: Lanes> = Each<Self>;
 
     fn prepare(basis: &Basis<'_>) -> Self {
         let pair = basis.pair;
@@ -72,21 +114,6 @@ impl<const M: usize> Tangential for ExactShear<M> {
         Self {
             partial: Partial::new(hertz, compliance, friction, basis.nodes).booked(basis.booked),
             friction,
-        }
-    }
-
-    #[inline(always)]
-    fn force(&self, touch: &Touch, load: &Load, memory: &mut Diagram<M>) -> Shear {
-        let slip = self
-            .partial
-            .advance(touch.overlap, touch.slide * touch.dt, memory);
-        let limit = self.friction * load.total;
-        Shear {
-            force: slip.force,
-            loss: [slip.gross, slip.micro],
-            sliding: slip.sliding,
-            // A dashpot that pulls must not turn the limit negative.
-            limit: if limit > 0.0 { limit } else { 0.0 },
         }
     }
 

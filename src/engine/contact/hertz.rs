@@ -6,8 +6,10 @@
 
 use super::card::{Card, POISSON, Slip, YOUNG};
 use super::linear::Frictionless;
-use super::parts::Normal;
+use super::numbers::{Numbers, Reading, Writing, Written, numbers};
+use super::parts::{Normal, NormalForce};
 use super::quantities::{Basis, Touch};
+use crate::engine::lanes::Lanes;
 
 /// Row in the list.
 pub const CARD: Card = Card {
@@ -23,28 +25,35 @@ pub const CARD: Card = Card {
 
 /// Normal spring of two spheres.
 #[derive(Debug, Clone, Copy)]
-pub struct Hertz {
+pub struct Hertz<V = f64> {
     /// (4/3) E* √R* [N/m^1.5].
-    hertz: f64,
+    hertz: V,
+}
+
+numbers!(Hertz { hertz: V });
+
+impl<V: Lanes> NormalForce<V> for Hertz<V> {
+    type Memory = ();
+
+    #[inline(always)]
+    fn force(&self, touch: &Touch<V>, (): &mut ()) -> V {
+        self.hertz * touch.overlap * touch.overlap.sqrt()
+    }
+
+    #[inline(always)]
+    fn tangent(&self, overlap: V, (): &()) -> V {
+        V::all(1.5) * self.hertz * overlap.positive().sqrt()
+    }
 }
 
 impl Normal for Hertz {
-    type Memory = ();
+    type Memo = ();
+    type On<V: Lanes> = Hertz<V>;
 
     fn prepare(basis: &Basis<'_>) -> Self {
         Self {
             hertz: coefficient(basis.pair.young, basis.r_eff),
         }
-    }
-
-    #[inline(always)]
-    fn force(&self, touch: &Touch, (): &mut ()) -> f64 {
-        self.hertz * touch.overlap * touch.overlap.sqrt()
-    }
-
-    #[inline(always)]
-    fn stiffness(&self, overlap: f64, (): &()) -> f64 {
-        1.5 * self.hertz * overlap.max(0.0).sqrt()
     }
 
     fn energy(&self, overlap: f64, (): &()) -> f64 {

@@ -9,9 +9,11 @@ use serde::{Deserialize, Serialize};
 use super::card::{COHESION, Card, FRICTION, POISSON, Slip, YOUNG};
 use super::history::{follow, stored};
 use super::inner::Inner;
-use super::memory::Memory;
-use super::parts::Tangential;
+use super::memory::{Memory, kept_as_columns};
+use super::numbers::{Numbers, Reading, Writing, Written, numbers};
+use super::parts::{Tangential, TangentialForce};
 use super::quantities::{Basis, Load, Shear, Touch};
+use crate::engine::lanes::Lanes;
 use crate::engine::setup::Unloading;
 
 /// Row in the list.
@@ -24,19 +26,26 @@ pub const CARD: Card = Card {
     gain: None,
     source: "Mindlin 1949; Thornton, Cummins & Cleary 2011",
     pass: |plan| match plan.unloading {
-        Unloading::Rescale => plan.hertzian::<HertzMindlin<false>>(),
-        Unloading::Keep => plan.hertzian::<HertzMindlin<true>>(),
+        Unloading::Rescale => plan.hertzian::<HertzMindlin<f64, false>>(),
+        Unloading::Keep => plan.hertzian::<HertzMindlin<f64, true>>(),
     },
 };
 
 /// Shear force [N] and the stiffness it was held at [N/m].
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-pub struct HeldShear {
-    force: f64,
-    stiffness: f64,
+pub struct HeldShear<V = f64> {
+    force: V,
+    stiffness: V,
 }
 
+numbers!(HeldShear {
+    force: V,
+    stiffness: V
+});
+
 impl Memory for HeldShear {
+    kept_as_columns!(HeldShear);
+
     fn reduced(&self) -> [f64; 2] {
         [0.0, self.force]
     }
@@ -49,16 +58,48 @@ impl Memory for HeldShear {
 
 /// Shear spring of stiffness 8 G* a with Coulomb's limit; `KEEP`: the force stays while N falls.
 #[derive(Debug, Clone, Copy)]
-pub struct HertzMindlin<const KEEP: bool> {
+pub struct HertzMindlin<V, const KEEP: bool> {
     /// 8 G* √R* [N/m^1.5].
-    mindlin: f64,
-    friction: f64,
-    cohesion: f64,
+    mindlin: V,
+    friction: V,
+    cohesion: V,
 }
 
-impl<const KEEP: bool> Tangential for HertzMindlin<KEEP> {
-    type Memory = HeldShear;
+numbers!(HertzMindlin<const KEEP> { mindlin: V, friction: V, cohesion: V });
+
+impl<V: Lanes, const KEEP: bool> TangentialForce<V> for HertzMindlin<V, KEEP> {
+    type Memory = HeldShear<V>;
     const ACTIVE: bool = true;
+
+    #[inline(always)]
+    fn force(&self, touch: &Touch<V>, load: &Load<V>, memory: &mut HeldShear<V>) -> Shear<V> {
+        let k = self.mindlin * touch.overlap.sqrt();
+        // A dashpot that pulls must not turn the limit negative.
+        let limit = (self.friction * load.total + self.cohesion).positive();
+        let d = touch.slide * touch.dt;
+        let now = follow(memory.force, memory.stiffness, k, !KEEP, d, limit);
+        *memory = HeldShear {
+            force: now.force,
+            stiffness: k,
+        };
+        let zero = V::all(0.0);
+        Shear {
+            force: now.force,
+            loss: now.loss,
+            sliding: now.sliding & (self.friction.above(zero) | self.cohesion.above(zero)),
+            limit,
+        }
+    }
+
+    #[inline(always)]
+    fn steepest(&self, overlap: V) -> V {
+        self.mindlin * overlap.positive().sqrt()
+    }
+}
+
+impl<const KEEP: bool> Tangential for HertzMindlin<f64, KEEP> {
+    type Memo = HeldShear;
+    type On<V: Lanes> = HertzMindlin<V, KEEP>;
 
     fn prepare(basis: &Basis<'_>) -> Self {
         Self {
@@ -68,32 +109,12 @@ impl<const KEEP: bool> Tangential for HertzMindlin<KEEP> {
         }
     }
 
-    #[inline(always)]
-    fn force(&self, touch: &Touch, load: &Load, memory: &mut HeldShear) -> Shear {
-        let k = self.mindlin * touch.overlap.sqrt();
-        let limit = self.friction * load.total + self.cohesion;
-        // A dashpot that pulls must not turn the limit negative.
-        let limit = if limit > 0.0 { limit } else { 0.0 };
-        let d = touch.slide * touch.dt;
-        let now = follow(memory.force, memory.stiffness, k, !KEEP, d, limit);
-        *memory = HeldShear {
-            force: now.force,
-            stiffness: k,
-        };
-        Shear {
-            force: now.force,
-            loss: now.loss,
-            sliding: now.sliding && self.is_frictional(),
-            limit,
-        }
-    }
-
     fn held(&self, memory: &HeldShear) -> f64 {
         memory.force
     }
 
     fn stiffness(&self, overlap: f64) -> f64 {
-        self.mindlin * overlap.max(0.0).sqrt()
+        self.steepest(overlap)
     }
 
     fn energy(&self, _: f64, memory: &HeldShear) -> f64 {

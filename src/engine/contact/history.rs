@@ -10,46 +10,40 @@
 //! T²(1/k - 1/k')/2, while it falls the share T²(1 - k'/k)/(2k) and the part of the work that the
 //! rescaling of the mean force takes. It is slip within the contact.
 
+use crate::engine::lanes::Lanes;
+
 /// Answer of one step.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Kept {
+#[derive(Clone, Copy)]
+pub(super) struct Kept<V: Lanes> {
     /// Force, or moment.
-    pub(super) force: f64,
+    pub(super) force: V,
     /// Energy lost by sliding of the whole, and by slip within [J].
-    pub(super) loss: [f64; 2],
+    pub(super) loss: [V; 2],
     /// Whether the limit was reached.
-    pub(super) sliding: bool,
+    pub(super) sliding: V::Mask,
 }
 
 /// Moves a spring that held `old` at stiffness `before` by `d` to the stiffness `k` > 0; `rescale`
 /// whether the force falls with k.
 #[inline(always)]
-pub(super) fn follow(old: f64, before: f64, k: f64, rescale: bool, d: f64, limit: f64) -> Kept {
-    let start = if rescale && k < before {
-        old * (k / before)
+pub(super) fn follow<V: Lanes>(old: V, before: V, k: V, rescale: bool, d: V, limit: V) -> Kept<V> {
+    let (zero, half) = (V::all(0.0), V::all(0.5));
+    let start = if rescale {
+        V::pick(before.above(k), old * (k / before), old)
     } else {
         old
     };
     let trial = start + k * d;
-    let sliding = trial.abs() > limit;
-    let force = if sliding {
-        limit.copysign(trial)
-    } else {
-        trial
-    };
-    let gross = if sliding {
-        0.5 * (start + force) * ((trial - force) / k)
-    } else {
-        0.0
-    };
-    let slip = if old == 0.0 {
-        0.0
-    } else {
-        0.5 * (old - start) * d + 0.5 * (old * old / before - start * start / k)
-    };
+    let sliding = trial.abs().above(limit);
+    let force = V::pick(sliding, limit.copysign(trial), trial);
+    let gross = half * (start + force) * ((trial - force) / k);
+    let slip = half * (old - start) * d + half * (old * old / before - start * start / k);
     Kept {
         force,
-        loss: [gross, slip],
+        loss: [
+            V::pick(sliding, gross, zero),
+            V::pick(old.equals(zero), zero, slip),
+        ],
         sliding,
     }
 }

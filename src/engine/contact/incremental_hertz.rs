@@ -16,94 +16,117 @@
 use serde::{Deserialize, Serialize};
 
 use super::inner::Inner;
-use super::memory::Memory;
-use super::parts::Normal;
+use super::memory::{Memory, kept_as_columns};
+use super::numbers::{Numbers, Reading, Writing, Written, numbers};
+use super::parts::{Normal, NormalForce};
 use super::quantities::{Basis, Touch};
+use crate::engine::lanes::Lanes;
 
 /// Normal force summed so far [N].
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-pub struct SummedHertz(f64);
+pub struct SummedHertz<V = f64> {
+    force: V,
+}
+
+numbers!(SummedHertz { force: V });
 
 impl SummedHertz {
     /// Memory that holds this force [N].
     pub fn new(force: f64) -> Self {
-        Self(force)
+        Self { force }
     }
 }
 
 /// Hertz's normal force, summed from increments.
 #[derive(Debug, Clone, Copy)]
-pub struct IncrementalHertz {
-    young_eff: f64,
-    r_eff: f64,
+pub struct IncrementalHertz<V = f64> {
+    young_eff: V,
+    r_eff: V,
 }
 
-impl IncrementalHertz {
+numbers!(IncrementalHertz {
+    young_eff: V,
+    r_eff: V
+});
+
+impl<V: Lanes> IncrementalHertz<V> {
     /// From E\* [Pa] and R\* [m].
-    pub fn new(young_eff: f64, r_eff: f64) -> Self {
+    pub fn new(young_eff: V, r_eff: V) -> Self {
         Self { young_eff, r_eff }
     }
 
     /// Radius a of the contact [m] (4.14).
-    pub fn radius(&self, memory: &SummedHertz) -> f64 {
-        libm::cbrt(0.75 * memory.0 * self.r_eff / self.young_eff)
+    #[inline]
+    pub fn radius(&self, memory: &SummedHertz<V>) -> V {
+        (V::all(0.75) * memory.force * self.r_eff / self.young_eff).each(libm::cbrt)
     }
 
     /// The overlap a²/R\* [m] that Hertz's law gives the summed force: what the tangential law has
     /// to see.
-    pub fn depth(&self, memory: &SummedHertz) -> f64 {
+    #[inline]
+    pub fn depth(&self, memory: &SummedHertz<V>) -> V {
         let a = self.radius(memory);
         a * a / self.r_eff
     }
 
     /// Force [N] after the approach dn [m].
     #[inline]
-    pub fn sum(&self, dn: f64, memory: &mut SummedHertz) -> f64 {
-        let rise = if memory.0 > 0.0 {
-            2.0 * self.young_eff * self.radius(memory) * dn
-        } else if dn > 0.0 {
-            4.0 / 3.0 * self.young_eff * (self.r_eff * dn * dn * dn).sqrt()
-        } else {
-            0.0
-        };
-        let sum = memory.0 + rise;
-        memory.0 = if sum > 0.0 { sum } else { 0.0 };
-        memory.0
+    pub fn sum(&self, dn: V, memory: &mut SummedHertz<V>) -> V {
+        let zero = V::all(0.0);
+        let first = V::all(4.0 / 3.0) * self.young_eff * (self.r_eff * dn * dn * dn).sqrt();
+        let later = V::all(2.0) * self.young_eff * self.radius(memory) * dn;
+        let begun = V::pick(dn.above(zero), first, zero);
+        let rise = V::pick(memory.force.above(zero), later, begun);
+        memory.force = (memory.force + rise).positive();
+        memory.force
     }
 }
 
 impl Memory for SummedHertz {
+    kept_as_columns!(SummedHertz);
+
     fn reduced(&self) -> [f64; 2] {
-        [self.0, 0.0]
+        [self.force, 0.0]
     }
 
     fn visit(&self, see: &mut dyn FnMut(f64)) {
-        see(self.0);
+        see(self.force);
+    }
+}
+
+impl<V: Lanes> NormalForce<V> for IncrementalHertz<V> {
+    type Memory = SummedHertz<V>;
+
+    #[inline(always)]
+    fn force(&self, touch: &Touch<V>, memory: &mut SummedHertz<V>) -> V {
+        self.sum(touch.approach * touch.dt, memory)
+    }
+
+    #[inline(always)]
+    fn tangent(&self, _: V, memory: &SummedHertz<V>) -> V {
+        V::all(2.0) * self.young_eff * self.radius(memory)
+    }
+
+    #[inline(always)]
+    fn depth(&self, _: V, memory: &SummedHertz<V>) -> V {
+        Self::depth(self, memory)
     }
 }
 
 impl Normal for IncrementalHertz {
-    type Memory = SummedHertz;
+    type Memo = SummedHertz;
+    type On<V: Lanes> = IncrementalHertz<V>;
 
     fn prepare(basis: &Basis<'_>) -> Self {
         Self::new(basis.pair.young, basis.r_eff)
     }
 
-    #[inline(always)]
-    fn force(&self, touch: &Touch, memory: &mut SummedHertz) -> f64 {
-        self.sum(touch.approach * touch.dt, memory)
-    }
-
-    fn stiffness(&self, _: f64, memory: &SummedHertz) -> f64 {
-        2.0 * self.young_eff * self.radius(memory)
-    }
-
     fn energy(&self, _: f64, memory: &SummedHertz) -> f64 {
-        0.4 * memory.0 * self.depth(memory)
+        0.4 * memory.force * Self::depth(self, memory)
     }
 
     fn held(&self, _: f64, memory: &SummedHertz) -> f64 {
-        memory.0
+        memory.force
     }
 
     fn seed(&self, force: f64) -> SummedHertz {
@@ -112,12 +135,8 @@ impl Normal for IncrementalHertz {
 
     fn inner(&self, _: f64, memory: &SummedHertz) -> Vec<Inner> {
         vec![
-            Inner::number("N summed", memory.0, "N"),
-            Inner::number("alpha of it", self.depth(memory), "m"),
+            Inner::number("N summed", memory.force, "N"),
+            Inner::number("alpha of it", Self::depth(self, memory), "m"),
         ]
-    }
-
-    fn overlap(&self, _: f64, memory: &SummedHertz) -> f64 {
-        self.depth(memory)
     }
 }

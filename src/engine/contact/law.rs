@@ -2,40 +2,53 @@
 
 use super::inner::Inner;
 use super::memory::Memory;
-use super::parts::{Normal, Rolling, Tangential, Viscosity};
+use super::numbers::{Numbers, Reading, Writing, Written};
+use super::parts::{
+    Dashpots, Held, Normal, NormalForce, Rolling, RollingMoment, Tangential, TangentialForce,
+    Viscosity,
+};
 use super::quantities::{Basis, Load, Reaction, Stiffness, Touch};
 use super::traction::Traction;
+use crate::engine::lanes::Lanes;
 
-/// One law with its parameters, as the loop runs it.
-pub trait Law: Copy + Send + Sync + 'static {
-    /// Memory per contact.
-    type Memory: Memory;
+/// A law in lanes.
+pub trait React<V: Lanes>: Numbers<V> {
+    /// Memory in lanes.
+    type Memory;
     /// Whether tangential forces and spins exist.
     const TANGENTIAL: bool;
     /// Whether rolling is resisted.
     const ROLLING: bool;
+    /// Force of touching pairs; advances the memory.
+    fn react(&self, touch: &Touch<V>, memory: &mut Self::Memory) -> Reaction<V>;
+}
+
+/// One law with its parameters.
+pub trait Law: Written<f64> + Send + Sync + 'static {
+    /// Memory per contact.
+    type Memo: Memory;
+    /// In lanes.
+    type On<V: Lanes>: React<V, Memory = Held<Self::Memo, V>>;
     /// From the parameters of the pair.
     fn prepare(basis: &Basis<'_>) -> Self;
-    /// Force of a touching pair; advances the memory.
-    fn react(&self, touch: &Touch, memory: &mut Self::Memory) -> Reaction;
-    /// The pair has come apart: forgets, and answers the energy lost by sliding and by slip [J].
-    fn part(&self, touch: &Touch, memory: &mut Self::Memory) -> [f64; 2];
+    /// The pair has come apart: the energy lost by sliding and by slip [J].
+    fn part(&self, touch: &Touch, memory: &Self::Memo) -> [f64; 2];
     /// Energies in the normal and the tangential spring, the latter with the rolling one [J].
-    fn energy(&self, overlap: f64, memory: &Self::Memory) -> [f64; 2];
+    fn energy(&self, overlap: f64, memory: &Self::Memo) -> [f64; 2];
     /// Forces of the normal and the tangential spring [N].
-    fn springs(&self, overlap: f64, memory: &Self::Memory) -> [f64; 2];
+    fn springs(&self, overlap: f64, memory: &Self::Memo) -> [f64; 2];
     /// Stiffness and viscosity.
-    fn stiffness(&self, overlap: f64, memory: &Self::Memory) -> Stiffness;
+    fn stiffness(&self, overlap: f64, memory: &Self::Memo) -> Stiffness;
     /// Memory that carries these spring forces at an overlap, as far as the law lets it.
-    fn seed(&self, overlap: f64, forces: [f64; 2]) -> Self::Memory;
+    fn seed(&self, overlap: f64, forces: [f64; 2]) -> Self::Memo;
     /// The memory that a contact had with parameters `before`, as it is with these.
-    fn refit(&self, before: &Self, overlap: f64, memory: &Self::Memory) -> Self::Memory;
+    fn refit(&self, before: &Self, overlap: f64, memory: &Self::Memo) -> Self::Memo;
     /// Whether a friction limit applies.
     fn is_frictional(&self) -> bool;
     /// The traction inside the contact, if the law knows it.
-    fn traction(&self, memory: &Self::Memory) -> Option<Traction>;
+    fn traction(&self, memory: &Self::Memo) -> Option<Traction>;
     /// What the memory holds, for people.
-    fn inner(&self, overlap: f64, memory: &Self::Memory) -> Vec<Inner>;
+    fn inner(&self, overlap: f64, memory: &Self::Memo) -> Vec<Inner>;
 }
 
 /// A law put together from its parts.
@@ -47,10 +60,111 @@ pub struct Contact<N, T, R, D> {
     dashpot: D,
 }
 
-impl<N: Normal, T: Tangential, R: Rolling, D: Viscosity> Law for Contact<N, T, R, D> {
+impl<V, N, T, R, D> Numbers<V> for Contact<N, T, R, D>
+where
+    V: Lanes,
+    N: Numbers<V>,
+    T: Numbers<V>,
+    R: Numbers<V>,
+    D: Numbers<V>,
+{
+    const COUNT: usize = N::COUNT + T::COUNT + R::COUNT + D::COUNT;
+
+    #[inline(always)]
+    fn take(from: &mut Reading) -> Self {
+        let normal = N::take(from);
+        let tangential = T::take(from);
+        let rolling = R::take(from);
+        let dashpot = D::take(from);
+        Self {
+            normal,
+            tangential,
+            rolling,
+            dashpot,
+        }
+    }
+}
+
+impl<V, N, T, R, D> Written<V> for Contact<N, T, R, D>
+where
+    V: Lanes,
+    N: Written<V>,
+    T: Written<V>,
+    R: Written<V>,
+    D: Written<V>,
+{
+    fn give(self, mask: V::Mask, to: &mut Writing) {
+        self.normal.give(mask, to);
+        self.tangential.give(mask, to);
+        self.rolling.give(mask, to);
+        self.dashpot.give(mask, to);
+    }
+}
+
+impl<V, N, T, R, D> React<V> for Contact<N, T, R, D>
+where
+    V: Lanes,
+    N: NormalForce<V>,
+    T: TangentialForce<V>,
+    R: RollingMoment<V>,
+    D: Dashpots<V>,
+{
     type Memory = (N::Memory, T::Memory, R::Memory);
     const TANGENTIAL: bool = T::ACTIVE || R::ACTIVE;
     const ROLLING: bool = R::ACTIVE;
+
+    #[inline(always)]
+    fn react(&self, touch: &Touch<V>, memory: &mut Self::Memory) -> Reaction<V> {
+        let (normal_memory, shear_memory, roll_memory) = memory;
+        let zero = V::all(0.0);
+        let elastic = self.normal.force(touch, normal_memory);
+        let stiffness = self.normal.tangent(touch.overlap, normal_memory);
+        let total = self.dashpot.normal(elastic, stiffness, touch);
+        let load = Load {
+            elastic,
+            total,
+            stiffness,
+        };
+        // A sum of increments may stand at another overlap than the bodies do.
+        let touch = &Touch {
+            overlap: self.normal.depth(touch.overlap, normal_memory),
+            ..*touch
+        };
+        let shear = self.tangential.force(touch, &load, shear_memory);
+        let roll = self.rolling.moment(touch, &load, roll_memory);
+        // No contact carries more than its friction limit, whatever carries it: without friction
+        // there is no tangential dashpot either, and none kicks at the first touch.
+        let sliding = shear.sliding | shear.force.abs().above(shear.limit);
+        let limit = shear.limit.copysign(shear.force);
+        let (carried, drag) = if !T::ACTIVE {
+            (limit, zero)
+        } else if self.dashpot.rubs(touch) {
+            let k = self.tangential.steepest(touch.overlap);
+            let sum = shear.force + self.dashpot.tangential(k, touch);
+            let most = shear.limit.copysign(sum);
+            let stuck = V::pick(sum.abs().above(shear.limit), most, sum);
+            (
+                V::pick(sliding, limit, stuck),
+                V::pick(sliding, zero, stuck - shear.force),
+            )
+        } else {
+            (V::pick(sliding, limit, shear.force), zero)
+        };
+        Reaction {
+            normal: total,
+            tangential: carried,
+            moment: roll.moment,
+            damping: [total - elastic, drag],
+            excess: V::pick(sliding, carried - shear.force, zero),
+            loss: [shear.loss[0] + roll.loss, shear.loss[1]],
+            sliding,
+        }
+    }
+}
+
+impl<N: Normal, T: Tangential, R: Rolling, D: Viscosity> Law for Contact<N, T, R, D> {
+    type Memo = (N::Memo, T::Memo, R::Memo);
+    type On<V: Lanes> = Contact<N::On<V>, T::On<V>, R::On<V>, D::On<V>>;
 
     fn prepare(basis: &Basis<'_>) -> Self {
         Self {
@@ -61,74 +175,29 @@ impl<N: Normal, T: Tangential, R: Rolling, D: Viscosity> Law for Contact<N, T, R
         }
     }
 
-    #[inline(always)]
-    fn react(&self, touch: &Touch, memory: &mut Self::Memory) -> Reaction {
-        let (normal_memory, shear_memory, roll_memory) = memory;
-        let elastic = self.normal.force(touch, normal_memory);
-        let stiffness = self.normal.stiffness(touch.overlap, normal_memory);
-        let total = self.dashpot.normal(elastic, stiffness, touch);
-        let load = Load {
-            elastic,
-            total,
-            stiffness,
-        };
-        // A sum of increments may stand at another overlap than the bodies do.
-        let touch = &Touch {
-            overlap: self.normal.overlap(touch.overlap, normal_memory),
-            ..*touch
-        };
-        let shear = self.tangential.force(touch, &load, shear_memory);
-        let roll = self.rolling.moment(touch, &load, roll_memory);
-        // No contact carries more than its friction limit, whatever carries it: without friction
-        // there is no tangential dashpot either, and none kicks at the first touch.
-        let sliding = shear.sliding || shear.force.abs() > shear.limit;
-        let (carried, drag) = if sliding || !T::ACTIVE {
-            (shear.limit.copysign(shear.force), 0.0)
-        } else {
-            let k = self.tangential.stiffness(touch.overlap);
-            let sum = shear.force + self.dashpot.tangential(k, touch);
-            let carried = if sum.abs() > shear.limit {
-                shear.limit.copysign(sum)
-            } else {
-                sum
-            };
-            (carried, carried - shear.force)
-        };
-        Reaction {
-            normal: total,
-            tangential: carried,
-            moment: roll.moment,
-            damping: [total - elastic, drag],
-            excess: if sliding { carried - shear.force } else { 0.0 },
-            loss: [shear.loss[0] + roll.loss, shear.loss[1]],
-            sliding,
-        }
-    }
-
-    fn part(&self, touch: &Touch, memory: &mut Self::Memory) -> [f64; 2] {
+    fn part(&self, touch: &Touch, memory: &Self::Memo) -> [f64; 2] {
         let [sliding, slip] = self.tangential.part(touch.slide * touch.dt, &memory.1);
         let rolling = self.rolling.part(touch.roll * touch.dt, &memory.2);
-        *memory = Self::Memory::default();
         [sliding + rolling, slip]
     }
 
-    fn energy(&self, overlap: f64, memory: &Self::Memory) -> [f64; 2] {
+    fn energy(&self, overlap: f64, memory: &Self::Memo) -> [f64; 2] {
         [
             self.normal.energy(overlap, &memory.0),
             self.tangential.energy(overlap, &memory.1) + self.rolling.energy(&memory.2),
         ]
     }
 
-    fn springs(&self, overlap: f64, memory: &Self::Memory) -> [f64; 2] {
+    fn springs(&self, overlap: f64, memory: &Self::Memo) -> [f64; 2] {
         [
             self.normal.held(overlap, &memory.0),
             self.tangential.held(&memory.1),
         ]
     }
 
-    fn stiffness(&self, overlap: f64, memory: &Self::Memory) -> Stiffness {
-        let normal = self.normal.stiffness(overlap, &memory.0);
-        let depth = self.normal.overlap(overlap, &memory.0);
+    fn stiffness(&self, overlap: f64, memory: &Self::Memo) -> Stiffness {
+        let normal = self.normal.tangent(overlap, &memory.0);
+        let depth = self.normal.depth(overlap, &memory.0);
         let k = [normal, self.tangential.stiffness(depth)];
         let [along, across] = self.dashpot.viscosity(k, overlap);
         let shears = self.tangential.is_frictional();
@@ -139,15 +208,15 @@ impl<N: Normal, T: Tangential, R: Rolling, D: Viscosity> Law for Contact<N, T, R
         }
     }
 
-    fn seed(&self, overlap: f64, forces: [f64; 2]) -> Self::Memory {
+    fn seed(&self, overlap: f64, forces: [f64; 2]) -> Self::Memo {
         (
             self.normal.seed(forces[0]),
             self.tangential.seed(overlap, forces[1]),
-            R::Memory::default(),
+            R::Memo::default(),
         )
     }
 
-    fn refit(&self, before: &Self, overlap: f64, memory: &Self::Memory) -> Self::Memory {
+    fn refit(&self, before: &Self, overlap: f64, memory: &Self::Memo) -> Self::Memo {
         (
             memory.0,
             self.tangential
@@ -160,11 +229,11 @@ impl<N: Normal, T: Tangential, R: Rolling, D: Viscosity> Law for Contact<N, T, R
         self.tangential.is_frictional()
     }
 
-    fn traction(&self, memory: &Self::Memory) -> Option<Traction> {
+    fn traction(&self, memory: &Self::Memo) -> Option<Traction> {
         self.tangential.traction(&memory.1)
     }
 
-    fn inner(&self, overlap: f64, memory: &Self::Memory) -> Vec<Inner> {
+    fn inner(&self, overlap: f64, memory: &Self::Memo) -> Vec<Inner> {
         let mut inner = self.normal.inner(overlap, &memory.0);
         inner.extend(self.tangential.inner(overlap, &memory.1));
         inner.extend(self.rolling.inner(overlap, &memory.2));

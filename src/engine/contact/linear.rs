@@ -8,10 +8,12 @@ use serde::{Deserialize, Serialize};
 use super::card::{COHESION, Card, FRICTION, NORMAL, SHEAR, Slip};
 use super::dashpot::Constant;
 use super::inner::Inner;
-use super::memory::Memory;
-use super::parts::{Normal, Tangential};
+use super::memory::{Memory, kept_as_columns};
+use super::numbers::{Numbers, Reading, Writing, Written, numbers};
+use super::parts::{Normal, NormalForce, Tangential, TangentialForce};
 use super::pass::ContactPass;
 use super::quantities::{Basis, Load, Shear, Touch};
+use crate::engine::lanes::Lanes;
 use crate::engine::plan::Plan;
 use crate::engine::setup::NormalForm;
 
@@ -44,27 +46,34 @@ fn with<N: Normal>(plan: &Plan) -> Box<dyn ContactPass> {
 
 /// Normal spring, force from the overlap.
 #[derive(Debug, Clone, Copy)]
-pub struct LinearNormal {
-    k: f64,
+pub struct LinearNormal<V = f64> {
+    k: V,
+}
+
+numbers!(LinearNormal { k: V });
+
+impl<V: Lanes> NormalForce<V> for LinearNormal<V> {
+    type Memory = ();
+
+    #[inline(always)]
+    fn force(&self, touch: &Touch<V>, (): &mut ()) -> V {
+        self.k * touch.overlap
+    }
+
+    #[inline(always)]
+    fn tangent(&self, _: V, (): &()) -> V {
+        self.k
+    }
 }
 
 impl Normal for LinearNormal {
-    type Memory = ();
+    type Memo = ();
+    type On<V: Lanes> = LinearNormal<V>;
 
     fn prepare(basis: &Basis<'_>) -> Self {
         Self {
             k: basis.pair.normal_stiffness,
         }
-    }
-
-    #[inline(always)]
-    fn force(&self, touch: &Touch, (): &mut ()) -> f64 {
-        self.k * touch.overlap
-    }
-
-    #[inline(always)]
-    fn stiffness(&self, _: f64, (): &()) -> f64 {
-        self.k
     }
 
     fn energy(&self, overlap: f64, (): &()) -> f64 {
@@ -80,26 +89,50 @@ impl Normal for LinearNormal {
 
 /// Normal force summed so far [N].
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-pub struct SummedNormal(f64);
+pub struct SummedNormal<V = f64> {
+    force: V,
+}
+
+numbers!(SummedNormal { force: V });
 
 impl Memory for SummedNormal {
+    kept_as_columns!(SummedNormal);
+
     fn reduced(&self) -> [f64; 2] {
-        [self.0, 0.0]
+        [self.force, 0.0]
     }
 
     fn visit(&self, see: &mut dyn FnMut(f64)) {
-        see(self.0);
+        see(self.force);
     }
 }
 
 /// Normal spring, force summed from increments, (16) and (18).
 #[derive(Debug, Clone, Copy)]
-pub struct IncrementalNormal {
-    k: f64,
+pub struct IncrementalNormal<V = f64> {
+    k: V,
+}
+
+numbers!(IncrementalNormal { k: V });
+
+impl<V: Lanes> NormalForce<V> for IncrementalNormal<V> {
+    type Memory = SummedNormal<V>;
+
+    #[inline(always)]
+    fn force(&self, touch: &Touch<V>, memory: &mut SummedNormal<V>) -> V {
+        memory.force = memory.force + self.k * (touch.approach * touch.dt);
+        memory.force
+    }
+
+    #[inline(always)]
+    fn tangent(&self, _: V, _: &SummedNormal<V>) -> V {
+        self.k
+    }
 }
 
 impl Normal for IncrementalNormal {
-    type Memory = SummedNormal;
+    type Memo = SummedNormal;
+    type On<V: Lanes> = IncrementalNormal<V>;
 
     fn prepare(basis: &Basis<'_>) -> Self {
         Self {
@@ -107,35 +140,24 @@ impl Normal for IncrementalNormal {
         }
     }
 
-    #[inline(always)]
-    fn force(&self, touch: &Touch, memory: &mut SummedNormal) -> f64 {
-        memory.0 += self.k * (touch.approach * touch.dt);
-        memory.0
-    }
-
-    #[inline(always)]
-    fn stiffness(&self, _: f64, _: &SummedNormal) -> f64 {
-        self.k
-    }
-
     fn energy(&self, _: f64, memory: &SummedNormal) -> f64 {
         if self.k > 0.0 {
-            0.5 * memory.0 * memory.0 / self.k
+            0.5 * memory.force * memory.force / self.k
         } else {
             0.0
         }
     }
 
     fn held(&self, _: f64, memory: &SummedNormal) -> f64 {
-        memory.0
+        memory.force
     }
 
     fn seed(&self, force: f64) -> SummedNormal {
-        SummedNormal(force)
+        SummedNormal { force }
     }
 
     fn inner(&self, _: f64, memory: &SummedNormal) -> Vec<Inner> {
-        vec![Inner::number("N summed", memory.0, "N")]
+        vec![Inner::number("N summed", memory.force, "N")]
     }
 }
 
@@ -143,17 +165,46 @@ impl Normal for IncrementalNormal {
 #[derive(Debug, Clone, Copy)]
 pub struct Frictionless;
 
-impl Tangential for Frictionless {
+impl<V: Lanes> Numbers<V> for Frictionless {
+    const COUNT: usize = 0;
+
+    #[inline(always)]
+    fn take(_: &mut Reading) -> Self {
+        Self
+    }
+}
+
+impl Written<f64> for Frictionless {
+    fn give(self, _: bool, _: &mut Writing) {}
+}
+
+impl<V: Lanes> TangentialForce<V> for Frictionless {
     type Memory = ();
     const ACTIVE: bool = false;
 
-    fn prepare(_: &Basis<'_>) -> Self {
-        Self
+    #[inline(always)]
+    fn force(&self, _: &Touch<V>, _: &Load<V>, (): &mut ()) -> Shear<V> {
+        let zero = V::all(0.0);
+        Shear {
+            force: zero,
+            loss: [zero; 2],
+            sliding: V::mask(0),
+            limit: zero,
+        }
     }
 
     #[inline(always)]
-    fn force(&self, _: &Touch, _: &Load, (): &mut ()) -> Shear {
-        Shear::default()
+    fn steepest(&self, _: V) -> V {
+        V::all(0.0)
+    }
+}
+
+impl Tangential for Frictionless {
+    type Memo = ();
+    type On<V: Lanes> = Self;
+
+    fn prepare(_: &Basis<'_>) -> Self {
+        Self
     }
 
     fn held(&self, (): &()) -> f64 {
@@ -181,29 +232,72 @@ impl Tangential for Frictionless {
 
 /// Shear force of the spring [N].
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-pub struct ShearForce(f64);
+pub struct ShearForce<V = f64> {
+    force: V,
+}
+
+numbers!(ShearForce { force: V });
 
 impl Memory for ShearForce {
+    kept_as_columns!(ShearForce);
+
     fn reduced(&self) -> [f64; 2] {
-        [0.0, self.0]
+        [0.0, self.force]
     }
 
     fn visit(&self, see: &mut dyn FnMut(f64)) {
-        see(self.0);
+        see(self.force);
     }
 }
 
 /// Shear spring with the limit F_n tan φ_μ + c, (17) to (19).
 #[derive(Debug, Clone, Copy)]
-pub struct LinearShear {
-    k: f64,
-    friction: f64,
-    cohesion: f64,
+pub struct LinearShear<V = f64> {
+    k: V,
+    friction: V,
+    cohesion: V,
+}
+
+numbers!(LinearShear {
+    k: V,
+    friction: V,
+    cohesion: V
+});
+
+impl<V: Lanes> TangentialForce<V> for LinearShear<V> {
+    type Memory = ShearForce<V>;
+    const ACTIVE: bool = true;
+
+    #[inline(always)]
+    fn force(&self, touch: &Touch<V>, load: &Load<V>, memory: &mut ShearForce<V>) -> Shear<V> {
+        let zero = V::all(0.0);
+        let old = memory.force;
+        let trial = old + self.k * (touch.slide * touch.dt);
+        // A dashpot that pulls must not turn the limit negative.
+        let limit = (self.friction * load.total + self.cohesion).positive();
+        let over = trial.abs().above(limit);
+        let force = V::pick(over, limit.copysign(trial), trial);
+        memory.force = force;
+        // Without a spring (friction switched off under load) what was held is simply dropped.
+        let sliding = over & self.k.above(zero);
+        let loss = V::all(0.5) * (old + force) * ((trial - force) / self.k);
+        Shear {
+            force,
+            loss: [V::pick(sliding, loss, zero), zero],
+            sliding,
+            limit,
+        }
+    }
+
+    #[inline(always)]
+    fn steepest(&self, _: V) -> V {
+        self.k
+    }
 }
 
 impl Tangential for LinearShear {
-    type Memory = ShearForce;
-    const ACTIVE: bool = true;
+    type Memo = ShearForce;
+    type On<V: Lanes> = LinearShear<V>;
 
     fn prepare(basis: &Basis<'_>) -> Self {
         let Basis { pair, .. } = basis;
@@ -219,36 +313,8 @@ impl Tangential for LinearShear {
         }
     }
 
-    #[inline(always)]
-    fn force(&self, touch: &Touch, load: &Load, memory: &mut ShearForce) -> Shear {
-        let old = memory.0;
-        let trial = old + self.k * (touch.slide * touch.dt);
-        let limit = self.friction * load.total + self.cohesion;
-        // A dashpot that pulls must not turn the limit negative.
-        let limit = if limit > 0.0 { limit } else { 0.0 };
-        let sliding = trial.abs() > limit;
-        let force = if sliding {
-            limit.copysign(trial)
-        } else {
-            trial
-        };
-        memory.0 = force;
-        // Without a spring (friction switched off under load) what was held is simply dropped.
-        let loss = if sliding && self.k > 0.0 {
-            0.5 * (old + force) * ((trial - force) / self.k)
-        } else {
-            0.0
-        };
-        Shear {
-            force,
-            loss: [loss, 0.0],
-            sliding: sliding && self.k > 0.0,
-            limit,
-        }
-    }
-
     fn held(&self, memory: &ShearForce) -> f64 {
-        memory.0
+        memory.force
     }
 
     fn stiffness(&self, _: f64) -> f64 {
@@ -257,7 +323,7 @@ impl Tangential for LinearShear {
 
     fn energy(&self, _: f64, memory: &ShearForce) -> f64 {
         if self.k > 0.0 {
-            0.5 * memory.0 * memory.0 / self.k
+            0.5 * memory.force * memory.force / self.k
         } else {
             0.0
         }
@@ -266,11 +332,11 @@ impl Tangential for LinearShear {
     fn part(&self, displacement: f64, memory: &ShearForce) -> [f64; 2] {
         // A step to zero load: the spring gives its energy and the rest of the path to slip.
         let stored = self.energy(0.0, memory);
-        [stored + 0.5 * memory.0 * displacement, 0.0]
+        [stored + 0.5 * memory.force * displacement, 0.0]
     }
 
     fn seed(&self, _: f64, force: f64) -> ShearForce {
-        ShearForce(force)
+        ShearForce { force }
     }
 
     fn is_frictional(&self) -> bool {

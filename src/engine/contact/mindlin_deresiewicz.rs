@@ -1,12 +1,15 @@
 //! Randall's tangential law as a part of a contact: partial slip with two reversals remembered.
 
 use super::card::{Card, FRICTION, POISSON, Slip, YOUNG};
+use super::each::{Alone, Each};
 use super::inner::Inner;
-use super::memory::Memory;
+use super::memory::{Memory, kept_whole};
+use super::numbers::{Numbers, Reading, Writing, Written};
 use super::parts::Tangential;
 use super::quantities::{Basis, Load, Shear, Touch};
 use super::traction::Traction;
 use super::two_reversals::{Reversals, TwoReversals, WORST_GAIN};
+use crate::engine::lanes::Lanes;
 
 /// Row in the list.
 pub const CARD: Card = Card {
@@ -29,7 +32,31 @@ pub struct ReversalShear {
     friction: f64,
 }
 
+impl Numbers<f64> for ReversalShear {
+    const COUNT: usize = TwoReversals::COUNT + 2;
+
+    #[inline(always)]
+    fn take(from: &mut Reading) -> Self {
+        let law = TwoReversals::take(from);
+        let [mindlin, friction] = <[f64; 2]>::take(from);
+        Self {
+            law,
+            mindlin,
+            friction,
+        }
+    }
+}
+
+impl Written<f64> for ReversalShear {
+    fn give(self, mask: bool, to: &mut Writing) {
+        self.law.give(mask, to);
+        [self.mindlin, self.friction].give(mask, to);
+    }
+}
+
 impl Memory for Reversals {
+    kept_whole!();
+
     fn reduced(&self) -> [f64; 2] {
         [0.0, self.force()]
     }
@@ -39,20 +66,7 @@ impl Memory for Reversals {
     }
 }
 
-impl Tangential for ReversalShear {
-    type Memory = Reversals;
-    const ACTIVE: bool = true;
-
-    fn prepare(basis: &Basis<'_>) -> Self {
-        let pair = basis.pair;
-        let friction = if pair.shear > 0.0 { pair.friction } else { 0.0 };
-        Self {
-            law: TwoReversals::new(pair.young, pair.shear, basis.r_eff, friction),
-            mindlin: 8.0 * pair.shear * basis.r_eff.sqrt(),
-            friction,
-        }
-    }
-
+impl Alone for ReversalShear {
     #[inline(always)]
     fn force(&self, touch: &Touch, load: &Load, memory: &mut Reversals) -> Shear {
         let slip = self
@@ -65,6 +79,21 @@ impl Tangential for ReversalShear {
             sliding: slip.sliding,
             // A dashpot that pulls must not turn the limit negative.
             limit: if limit > 0.0 { limit } else { 0.0 },
+        }
+    }
+}
+
+impl Tangential for ReversalShear {
+    type Memo = Reversals;
+    type On<V: Lanes> = Each<Self>;
+
+    fn prepare(basis: &Basis<'_>) -> Self {
+        let pair = basis.pair;
+        let friction = if pair.shear > 0.0 { pair.friction } else { 0.0 };
+        Self {
+            law: TwoReversals::new(pair.young, pair.shear, basis.r_eff, friction),
+            mindlin: 8.0 * pair.shear * basis.r_eff.sqrt(),
+            friction,
         }
     }
 

@@ -7,19 +7,24 @@
 
 pub mod book;
 pub mod card;
+mod columns;
 pub mod dashpot;
 pub mod diagram;
+pub mod each;
 pub mod exact;
 pub mod hertz;
 pub mod hertz_mindlin;
 mod history;
 pub mod incremental_hertz;
 pub mod inner;
+mod kernel;
 pub mod law;
 pub mod laws;
 pub mod linear;
+mod memories;
 pub mod memory;
 pub mod mindlin_deresiewicz;
+pub mod numbers;
 pub mod parts;
 pub mod pass;
 pub mod quantities;

@@ -1,18 +1,24 @@
-//! One kind of contact over the whole list: the loop everything waits for.
+//! One kind of contact over the whole list: parameters and memories as columns, and the loop over
+//! them.
 //!
 //! Called once per cycle through [`ContactPass`], the only dynamic face; inside, the law is a type.
-//! Each contact writes the force on its first body into its own slot, so the bits depend neither
-//! on the order of the list nor on the number of threads.
+#![allow(
+    unsafe_code,
+    reason = "lends columns to the loop; each use says what it relies on"
+)]
 
 use std::any::Any;
 
 pub use super::book::Book;
-use super::book::Step;
+use super::columns::Parameters;
 use super::inner::Inner;
-use super::law::Law;
+use super::kernel::Kernel;
+use super::law::{Law, React};
+use super::memories::Memories;
 use super::memory::Memory;
-use super::quantities::{BasisOwned, Stiffness, Touch};
+use super::quantities::{BasisOwned, Stiffness};
 use super::traction::Traction;
+use crate::engine::lanes::Isa;
 use crate::engine::neighbours::{Slot, Status};
 use crate::engine::particles::Row;
 use crate::engine::threads::{MAX_THREADS, Threads, share};
@@ -31,6 +37,8 @@ pub struct View<'a> {
     pub wall_touches: &'a [WallTouch],
     /// Time step [s].
     pub dt: f64,
+    /// Vector instructions.
+    pub isa: Isa,
 }
 
 /// The dynamic face of a [`Pass`].
@@ -43,9 +51,15 @@ pub trait ContactPass: Send + Sync {
         status: &mut [Status],
         threads: &Threads,
     );
-    /// The list changed: `old[k]` is where contact k stood before, `u32::MAX` if it is new. `room`
-    /// is how many contacts memory is kept ready for.
-    fn relist(&mut self, old: &[u32], room: usize, basis: &dyn Fn(usize) -> BasisOwned);
+    /// The list changed: `old[k]` is where contact k stood before, `u32::MAX` if it is new. The first
+    /// `pairs` are between particles. `room` is how many contacts memory is kept ready for.
+    fn relist(
+        &mut self,
+        old: &[u32],
+        pairs: usize,
+        room: usize,
+        basis: &dyn Fn(usize) -> BasisOwned,
+    );
     /// Moves the memory of one contact to another.
     fn hand_over(&mut self, from: usize, to: usize);
     /// Whether spins exist.
@@ -87,10 +101,11 @@ pub trait ContactPass: Send + Sync {
 
 /// One law over the list. `BOOK`: energies are booked.
 pub struct Pass<L: Law, const BOOK: bool> {
-    laws: Vec<L>,
-    memory: Vec<L::Memory>,
+    /// Parameters of pairs, and of contacts with walls.
+    laws: [Parameters<L>; 2],
+    memory: Memories<L::Memo>,
     book: Vec<Book>,
-    spare_memory: Vec<L::Memory>,
+    spare_memory: Memories<L::Memo>,
     spare_book: Vec<Book>,
 }
 
@@ -98,11 +113,25 @@ impl<L: Law, const BOOK: bool> Pass<L, BOOK> {
     /// Without contacts yet.
     pub fn new() -> Self {
         Self {
-            laws: Vec::new(),
-            memory: Vec::new(),
+            laws: [Parameters::new(), Parameters::new()],
+            memory: Memories::default(),
             book: Vec::new(),
-            spare_memory: Vec::new(),
+            spare_memory: Memories::default(),
             spare_book: Vec::new(),
+        }
+    }
+
+    /// Number of contacts.
+    fn len(&self) -> usize {
+        self.laws[0].len() + self.laws[1].len()
+    }
+
+    /// The parameters of a contact.
+    fn law(&self, k: usize) -> L {
+        let [pairs, walls] = &self.laws;
+        match k.checked_sub(pairs.len()) {
+            None => pairs.get(k),
+            Some(w) => walls.get(w),
         }
     }
 }
@@ -110,184 +139,6 @@ impl<L: Law, const BOOK: bool> Pass<L, BOOK> {
 impl<L: Law, const BOOK: bool> Default for Pass<L, BOOK> {
     fn default() -> Self {
         Self::new()
-    }
-}
-
-/// A stretch of contacts, written by one thread.
-struct Stretch<'a, L: Law> {
-    first: usize,
-    laws: &'a [L],
-    memory: &'a mut [L::Memory],
-    book: &'a mut [Book],
-    slots: &'a mut [Slot],
-    status: &'a mut [Status],
-}
-
-/// Geometry of one contact.
-struct Geometry {
-    e: [f64; 2],
-    touch: Touch,
-    /// D/(R1 + R2), the ratio by which lever arms are shorter than radii.
-    arm: f64,
-}
-
-/// State of one contact, to be written.
-struct Cell<'a, L: Law> {
-    law: &'a L,
-    memory: &'a mut L::Memory,
-    book: Option<&'a mut Book>,
-    slot: &'a mut Slot,
-    status: &'a mut Status,
-}
-
-impl<L: Law> Cell<'_, L> {
-    #[inline(always)]
-    fn react(&mut self, g: &Geometry) {
-        let r = self.law.react(&g.touch, self.memory);
-        let t = [g.e[1], -g.e[0]];
-        *self.slot = Slot([
-            -(r.normal * g.e[0]) - r.tangential * t[0],
-            -(r.normal * g.e[1]) - r.tangential * t[1],
-            r.tangential * g.arm,
-            r.moment,
-        ]);
-        *self.status = if r.sliding {
-            Status::Sliding
-        } else {
-            Status::Touching
-        };
-        if let Some(book) = &mut self.book {
-            let step = Step {
-                way: [g.touch.approach * g.touch.dt, g.touch.slide * g.touch.dt],
-                sliding: r.sliding,
-            };
-            book.book(r.loss, r.damping, r.excess, &step);
-        }
-    }
-
-    /// Out of touch, and in touch at the last boundary.
-    #[inline(never)]
-    fn part(&mut self, touch: &Touch) {
-        let loss = self.law.part(touch, self.memory);
-        *self.slot = Slot::default();
-        *self.status = Status::Apart;
-        if let Some(book) = &mut self.book {
-            let step = Step {
-                way: [touch.approach * touch.dt, touch.slide * touch.dt],
-                sliding: false,
-            };
-            book.book(loss, [0.0; 2], 0.0, &step);
-            **book = Book {
-                friction_loss: book.friction_loss,
-                damping_loss: book.damping_loss,
-                ..Book::default()
-            };
-        }
-    }
-
-    /// Still out of touch: only last step's bookings have to go.
-    #[inline(always)]
-    fn rest(&mut self) {
-        if let Some(book) = &mut self.book {
-            **book = Book::default();
-        }
-    }
-}
-
-impl<L: Law, const BOOK: bool> Pass<L, BOOK> {
-    #[inline(always)]
-    fn cell<'b>(s: &'b mut Stretch<'_, L>, k: usize) -> Cell<'b, L> {
-        Cell {
-            law: &s.laws[k],
-            memory: &mut s.memory[k],
-            book: if BOOK { Some(&mut s.book[k]) } else { None },
-            slot: &mut s.slots[k],
-            status: &mut s.status[k],
-        }
-    }
-
-    fn run(view: View<'_>, s: &mut Stretch<'_, L>) {
-        let pairs = view.pairs.len();
-        let end = s.first + s.laws.len();
-        for k in s.first..end.min(pairs) {
-            Self::pair(&view, view.pairs[k], &mut Self::cell(s, k - s.first));
-        }
-        for k in s.first.max(pairs)..end {
-            let w = k - pairs;
-            let touch = &view.wall_touches[w];
-            let row = &view.rows[view.wall_pairs[w].particle as usize];
-            Self::wall(&view, row, touch, &mut Self::cell(s, k - s.first));
-        }
-    }
-
-    #[inline(always)]
-    fn pair(view: &View<'_>, [i, j]: [u32; 2], cell: &mut Cell<'_, L>) {
-        let (a, b) = (&view.rows[i as usize], &view.rows[j as usize]);
-        let (dx, dy) = (b.x[0] - a.x[0], b.x[1] - a.x[1]);
-        let square = dx * dx + dy * dy;
-        let reach = a.radius + b.radius;
-        let apart = square >= reach * reach;
-        if apart && *cell.status == Status::Apart {
-            return cell.rest();
-        }
-        let distance = square.sqrt();
-        let overlap = reach - distance;
-        let e = [dx / distance, dy / distance];
-        let v = [a.v[0] - b.v[0], a.v[1] - b.v[1]];
-        let arm = distance / reach;
-        let slide = if L::TANGENTIAL {
-            v[0] * e[1] - v[1] * e[0] - (a.spin * a.radius + b.spin * b.radius) * arm
-        } else {
-            0.0
-        };
-        let approach = v[0] * e[0] + v[1] * e[1];
-        let touch = Touch {
-            overlap,
-            approach,
-            slide,
-            roll: if L::ROLLING { a.spin - b.spin } else { 0.0 },
-            dt: view.dt,
-        };
-        if apart || overlap <= 0.0 {
-            return if *cell.status == Status::Apart {
-                cell.rest();
-            } else {
-                cell.part(&touch);
-            };
-        }
-        cell.react(&Geometry { e, touch, arm });
-    }
-
-    #[inline(always)]
-    fn wall(view: &View<'_>, row: &Row, wall: &WallTouch, cell: &mut Cell<'_, L>) {
-        let overlap = row.radius - wall.distance;
-        let apart = overlap <= 0.0;
-        if apart && *cell.status == Status::Apart {
-            return cell.rest();
-        }
-        let e = wall.e;
-        let v = [row.v[0] - wall.v[0], row.v[1] - wall.v[1]];
-        let slide = if L::TANGENTIAL {
-            v[0] * e[1] - v[1] * e[0] - row.spin * row.radius
-        } else {
-            0.0
-        };
-        let approach = v[0] * e[0] + v[1] * e[1];
-        let touch = Touch {
-            overlap,
-            approach,
-            slide,
-            roll: if L::ROLLING {
-                row.spin - wall.spin
-            } else {
-                0.0
-            },
-            dt: view.dt,
-        };
-        if apart {
-            return cell.part(&touch);
-        }
-        cell.react(&Geometry { e, touch, arm: 1.0 });
     }
 }
 
@@ -299,119 +150,113 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
         status: &mut [Status],
         threads: &Threads,
     ) {
-        let mut rest = Stretch {
-            first: 0,
-            laws: &self.laws[..],
-            memory: &mut self.memory[..],
-            book: &mut self.book[..],
-            slots,
-            status,
+        let total = self.len();
+        let one_each = [self.memory.len(), slots.len(), status.len()];
+        assert!(
+            one_each == [total; 3] && view.pairs.len() == self.laws[0].len(),
+            "lists of contacts differ in length"
+        );
+        let isa = view.isa;
+        let (memory, whole) = self.memory.columns();
+        let kernel = Kernel::<L> {
+            view,
+            laws: [self.laws[0].columns(), self.laws[1].columns()],
+            memory,
+            whole,
+            book: self.book.as_mut_ptr(),
+            slots: slots.as_mut_ptr(),
+            status: status.as_mut_ptr().cast(),
         };
-        let total = rest.laws.len();
         let parts = threads.parts(total);
         if parts == 1 {
-            return Self::run(view, &mut rest);
+            // SAFETY: all columns have a place for each contact, and the list names rows there are.
+            return unsafe { kernel.run::<BOOK>(0, total, isa) };
         }
-        let mut jobs: [Option<Stretch<'_, L>>; MAX_THREADS] = [const { None }; MAX_THREADS];
+        let mut jobs: [std::ops::Range<usize>; MAX_THREADS] = [const { 0..0 }; MAX_THREADS];
         for (part, job) in jobs.iter_mut().enumerate().take(parts) {
-            let n = share(total, parts, part).len();
-            let (laws, laws_rest) = rest.laws.split_at(n);
-            let (memory, memory_rest) = rest.memory.split_at_mut(n);
-            let (book, book_rest) = rest.book.split_at_mut(if BOOK { n } else { 0 });
-            let (slots, slots_rest) = rest.slots.split_at_mut(n);
-            let (status, status_rest) = rest.status.split_at_mut(n);
-            *job = Some(Stretch {
-                first: rest.first,
-                laws,
-                memory,
-                book,
-                slots,
-                status,
-            });
-            rest = Stretch {
-                first: rest.first + n,
-                laws: laws_rest,
-                memory: memory_rest,
-                book: book_rest,
-                slots: slots_rest,
-                status: status_rest,
-            };
+            *job = share(total, parts, part);
         }
         threads.run(&mut jobs[..parts], |job| {
-            if let Some(stretch) = job {
-                Self::run(view, stretch);
-            }
+            // SAFETY: as above; the stretches do not overlap.
+            unsafe { kernel.run::<BOOK>(job.start, job.end, isa) };
         });
     }
 
-    fn relist(&mut self, old: &[u32], room: usize, basis: &dyn Fn(usize) -> BasisOwned) {
-        self.laws.clear();
-        self.spare_memory.clear();
-        self.spare_book.clear();
-        self.laws.reserve(room);
-        self.spare_memory.reserve(room);
-        if BOOK {
-            self.spare_book.reserve(room);
+    fn relist(
+        &mut self,
+        old: &[u32],
+        pairs: usize,
+        room: usize,
+        basis: &dyn Fn(usize) -> BasisOwned,
+    ) {
+        for laws in &mut self.laws {
+            laws.clear();
         }
-        for (k, &from) in old.iter().enumerate() {
-            self.laws.push(L::prepare(&basis(k).lend(BOOK)));
-            self.spare_memory
-                .push(self.memory.get(from as usize).copied().unwrap_or_default());
-            if BOOK {
-                self.spare_book
-                    .push(self.book.get(from as usize).copied().unwrap_or_default());
-            }
+        for k in 0..old.len() {
+            let laws = &mut self.laws[usize::from(k >= pairs)];
+            laws.push(L::prepare(&basis(k).lend(BOOK)), room);
+        }
+        self.spare_memory.gather(&self.memory, old, room);
+        if BOOK {
+            self.spare_book.clear();
+            self.spare_book.reserve(room);
+            let book = |&k: &u32| self.book.get(k as usize).copied().unwrap_or_default();
+            self.spare_book.extend(old.iter().map(book));
         }
         std::mem::swap(&mut self.memory, &mut self.spare_memory);
         std::mem::swap(&mut self.book, &mut self.spare_book);
     }
 
     fn hand_over(&mut self, from: usize, to: usize) {
-        self.memory[to] = std::mem::take(&mut self.memory[from]);
+        let memory = self.memory.get(from);
+        self.memory.set(to, memory);
+        self.memory.set(from, L::Memo::default());
         if BOOK {
             self.book[to] = std::mem::take(&mut self.book[from]);
         }
     }
 
     fn tangential(&self) -> bool {
-        L::TANGENTIAL
+        <L::On<f64> as React<f64>>::TANGENTIAL
     }
 
     fn rolling(&self) -> bool {
-        L::ROLLING
+        <L::On<f64> as React<f64>>::ROLLING
     }
 
     fn energy(&self, k: usize, overlap: f64) -> [f64; 2] {
-        self.laws[k].energy(overlap, &self.memory[k])
+        self.law(k).energy(overlap, &self.memory.get(k))
     }
 
     fn springs(&self, k: usize, overlap: f64) -> [f64; 2] {
-        self.laws[k].springs(overlap, &self.memory[k])
+        self.law(k).springs(overlap, &self.memory.get(k))
     }
 
     fn stiffness(&self, k: usize, overlap: f64) -> Stiffness {
-        self.laws[k].stiffness(overlap, &self.memory[k])
+        self.law(k).stiffness(overlap, &self.memory.get(k))
     }
 
     fn is_frictional(&self, k: usize) -> bool {
-        self.laws[k].is_frictional()
+        self.law(k).is_frictional()
     }
 
     fn reduced(&self, k: usize) -> [f64; 2] {
-        self.memory[k].reduced()
+        self.memory.get(k).reduced()
     }
 
     fn visit(&self, k: usize, see: &mut dyn FnMut(f64)) {
-        self.memory[k].visit(see);
+        self.memory.get(k).visit(see);
     }
 
     fn take_over(&mut self, before: &dyn ContactPass, overlap: &dyn Fn(usize) -> f64) {
         let same = before.as_any().downcast_ref::<Self>();
-        for k in 0..self.laws.len() {
-            self.memory[k] = match same {
-                Some(same) => self.laws[k].refit(&same.laws[k], overlap(k), &same.memory[k]),
-                None => self.laws[k].seed(overlap(k), before.reduced(k)),
+        for k in 0..self.len() {
+            let law = self.law(k);
+            let memory = match same {
+                Some(same) => law.refit(&same.law(k), overlap(k), &same.memory.get(k)),
+                None => law.seed(overlap(k), before.reduced(k)),
             };
+            self.memory.set(k, memory);
             if BOOK {
                 self.book[k] = before.book(k);
             }
@@ -419,11 +264,11 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
     }
 
     fn traction(&self, k: usize) -> Option<Traction> {
-        self.laws[k].traction(&self.memory[k])
+        self.law(k).traction(&self.memory.get(k))
     }
 
     fn inner(&self, k: usize, overlap: f64) -> Vec<Inner> {
-        self.laws[k].inner(overlap, &self.memory[k])
+        self.law(k).inner(overlap, &self.memory.get(k))
     }
 
     fn as_any(&self) -> &dyn Any {
@@ -442,21 +287,24 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
 
     fn bytes(&self) -> [usize; 3] {
         let book = if BOOK { size_of::<Book>() } else { 0 };
-        [size_of::<L>(), size_of::<L::Memory>(), book]
+        [self.laws[0].bytes(), Memories::<L::Memo>::bytes(), book]
     }
 
     fn save(&self) -> Vec<u8> {
-        postcard::to_allocvec(&(&self.memory, &self.book)).unwrap_or_default()
+        postcard::to_allocvec(&(self.memory.all(), &self.book)).unwrap_or_default()
     }
 
     fn load(&mut self, bytes: &[u8]) -> bool {
-        let Ok((memory, book)) = postcard::from_bytes::<(Vec<L::Memory>, Vec<Book>)>(bytes) else {
+        let Ok((memory, book)) = postcard::from_bytes::<(Vec<L::Memo>, Vec<Book>)>(bytes) else {
             return false;
         };
-        if memory.len() != self.laws.len() || (BOOK && book.len() != self.laws.len()) {
+        if memory.len() != self.len() || (BOOK && book.len() != self.len()) {
             return false;
         }
-        (self.memory, self.book) = (memory, book);
+        for (k, memory) in memory.into_iter().enumerate() {
+            self.memory.set(k, memory);
+        }
+        self.book = book;
         true
     }
 }

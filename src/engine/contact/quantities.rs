@@ -1,73 +1,76 @@
 //! What laws are told and what they answer: named quantities, no world.
 
+use crate::engine::lanes::Lanes;
 use crate::engine::pair::Pair;
 
 /// What a law is told about a touching pair.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Touch {
+#[derive(Clone, Copy)]
+pub struct Touch<V: Lanes = f64> {
+    /// Whether it touches: what is worked out in other lanes is not used.
+    pub touching: V::Mask,
     /// Overlap α > 0 [m].
-    pub overlap: f64,
+    pub overlap: V,
     /// Approach velocity along the normal [m/s].
-    pub approach: f64,
+    pub approach: V,
     /// Velocity of the first body's surface relative to the second's, along t [m/s].
-    pub slide: f64,
+    pub slide: V,
     /// Spin of the first body less that of the second [rad/s].
-    pub roll: f64,
+    pub roll: V,
     /// Time step [s].
-    pub dt: f64,
+    pub dt: V,
 }
 
 /// Normal load that the tangential and the rolling part are given.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Load {
+#[derive(Clone, Copy)]
+pub struct Load<V = f64> {
     /// Spring force [N].
-    pub elastic: f64,
+    pub elastic: V,
     /// Spring and dashpot together [N]: the base of the Coulomb limit.
-    pub total: f64,
+    pub total: V,
     /// Tangent stiffness of the normal spring [N/m].
-    pub stiffness: f64,
+    pub stiffness: V,
 }
 
 /// What the tangential part answers.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Shear {
+#[derive(Clone, Copy)]
+pub struct Shear<V: Lanes = f64> {
     /// Spring force [N].
-    pub force: f64,
+    pub force: V,
     /// Energy lost in this step by sliding of the whole contact and by slip within it [J].
-    pub loss: [f64; 2],
+    pub loss: [V; 2],
     /// Whether the whole contact slid.
-    pub sliding: bool,
+    pub sliding: V::Mask,
     /// Friction limit: what spring and dashpot together may reach [N].
-    pub limit: f64,
+    pub limit: V,
 }
 
 /// What the rolling part answers.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Roll {
+#[derive(Clone, Copy)]
+pub struct Roll<V = f64> {
     /// Moment on the second body, against the first's excess of spin [N m].
-    pub moment: f64,
+    pub moment: V,
     /// Energy lost by rolling in this step [J].
-    pub loss: f64,
+    pub loss: V,
 }
 
 /// What a contact does to its first body: force -n e - T t, moment -M beside that of the force.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Reaction {
+pub struct Reaction<V: Lanes = f64> {
     /// Normal force [N], compression positive.
-    pub normal: f64,
+    pub normal: V,
     /// Tangential force [N].
-    pub tangential: f64,
+    pub tangential: V,
     /// Moment of rolling resistance [N m].
-    pub moment: f64,
+    pub moment: V,
     /// The dashpots' share of the two forces [N].
-    pub damping: [f64; 2],
+    pub damping: [V; 2],
     /// Friction beyond the spring's own while sliding: μ times the normal dashpot's share [N].
-    pub excess: f64,
+    pub excess: V,
     /// Energy lost in this step by sliding of the whole contact, rolling included, and by slip
     /// within it [J].
-    pub loss: [f64; 2],
+    pub loss: [V; 2],
     /// Whether the contact slid.
-    pub sliding: bool,
+    pub sliding: V::Mask,
 }
 
 /// Stiffness and viscosity of a contact as it stands, for the stability bound.

@@ -8,25 +8,49 @@ use serde::{Deserialize, Serialize};
 
 use super::history::{follow, stored};
 use super::inner::Inner;
-use super::memory::Memory;
-use super::parts::Rolling;
+use super::memory::{Memory, kept_as_columns};
+use super::numbers::{Numbers, Reading, Writing, Written, numbers};
+use super::parts::{Rolling, RollingMoment};
 use super::quantities::{Basis, Load, Roll, Touch};
+use crate::engine::lanes::Lanes;
 
 /// None.
 #[derive(Debug, Clone, Copy)]
 pub struct Unresisted;
 
-impl Rolling for Unresisted {
+impl<V: Lanes> Numbers<V> for Unresisted {
+    const COUNT: usize = 0;
+
+    #[inline(always)]
+    fn take(_: &mut Reading) -> Self {
+        Self
+    }
+}
+
+impl Written<f64> for Unresisted {
+    fn give(self, _: bool, _: &mut Writing) {}
+}
+
+impl<V: Lanes> RollingMoment<V> for Unresisted {
     type Memory = ();
     const ACTIVE: bool = false;
 
+    #[inline(always)]
+    fn moment(&self, _: &Touch<V>, _: &Load<V>, (): &mut ()) -> Roll<V> {
+        let zero = V::all(0.0);
+        Roll {
+            moment: zero,
+            loss: zero,
+        }
+    }
+}
+
+impl Rolling for Unresisted {
+    type Memo = ();
+    type On<V: Lanes> = Self;
+
     fn prepare(_: &Basis<'_>) -> Self {
         Self
-    }
-
-    #[inline(always)]
-    fn moment(&self, _: &Touch, _: &Load, (): &mut ()) -> Roll {
-        Roll::default()
     }
 
     fn stiffness(&self, _: f64) -> f64 {
@@ -46,12 +70,19 @@ impl Rolling for Unresisted {
 
 /// Moment [N m] and the stiffness it was held at [N m].
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-pub struct HeldMoment {
-    moment: f64,
-    stiffness: f64,
+pub struct HeldMoment<V = f64> {
+    moment: V,
+    stiffness: V,
 }
 
+numbers!(HeldMoment {
+    moment: V,
+    stiffness: V
+});
+
 impl Memory for HeldMoment {
+    kept_as_columns!(HeldMoment);
+
     fn reduced(&self) -> [f64; 2] {
         [0.0; 2]
     }
@@ -64,43 +95,48 @@ impl Memory for HeldMoment {
 
 /// Spring and limit.
 #[derive(Debug, Clone, Copy)]
-pub struct RollingSpring {
+pub struct RollingSpring<V = f64> {
     /// k_r over k_n [m²].
-    shape: f64,
+    shape: V,
     /// μ_r R_r [m].
-    arm: f64,
+    arm: V,
+}
+
+numbers!(RollingSpring { shape: V, arm: V });
+
+impl<V: Lanes> RollingMoment<V> for RollingSpring<V> {
+    type Memory = HeldMoment<V>;
+    const ACTIVE: bool = true;
+
+    #[inline(always)]
+    fn moment(&self, touch: &Touch<V>, load: &Load<V>, memory: &mut HeldMoment<V>) -> Roll<V> {
+        let zero = V::all(0.0);
+        let k = self.shape * load.stiffness;
+        let resists = k.above(zero);
+        let limit = (self.arm * load.total).positive();
+        let angle = touch.roll * touch.dt;
+        let now = follow(memory.moment, memory.stiffness, k, true, angle, limit);
+        let moment = V::pick(resists, now.force, zero);
+        *memory = HeldMoment {
+            moment,
+            stiffness: V::pick(resists, k, zero),
+        };
+        Roll {
+            moment,
+            loss: V::pick(resists, now.loss[0] + now.loss[1], zero),
+        }
+    }
 }
 
 impl Rolling for RollingSpring {
-    type Memory = HeldMoment;
-    const ACTIVE: bool = true;
+    type Memo = HeldMoment;
+    type On<V: Lanes> = RollingSpring<V>;
 
     fn prepare(basis: &Basis<'_>) -> Self {
         let arm = basis.pair.rolling_friction * basis.r_eff;
         Self {
             shape: basis.pair.rolling_shape * arm * arm,
             arm,
-        }
-    }
-
-    #[inline(always)]
-    fn moment(&self, touch: &Touch, load: &Load, memory: &mut HeldMoment) -> Roll {
-        let k = self.shape * load.stiffness;
-        if k <= 0.0 {
-            *memory = HeldMoment::default();
-            return Roll::default();
-        }
-        let limit = self.arm * load.total;
-        let limit = if limit > 0.0 { limit } else { 0.0 };
-        let angle = touch.roll * touch.dt;
-        let now = follow(memory.moment, memory.stiffness, k, true, angle, limit);
-        *memory = HeldMoment {
-            moment: now.force,
-            stiffness: k,
-        };
-        Roll {
-            moment: now.force,
-            loss: now.loss[0] + now.loss[1],
         }
     }
 

@@ -6,7 +6,7 @@ use super::grid::Grid;
 use super::periodic::Tiling;
 use super::{Slot, Status};
 use crate::engine::boundary::cell::{Cell, HERE, Image};
-use crate::engine::particles::{Particles, Row, Sum};
+use crate::engine::particles::{Particles, Row};
 use crate::engine::wall::Wall;
 use crate::engine::wall_contact::{self, WallPair, WallTouch};
 
@@ -263,39 +263,16 @@ impl ContactList {
 
     /// Contact numbers of a particle, and whether it is the second body there.
     pub fn of(&self, p: usize) -> impl Iterator<Item = (usize, bool)> + '_ {
-        let entries = &self.entries[self.starts[p] as usize..self.starts[p + 1] as usize];
-        entries
+        self.entries(p)
             .iter()
             .map(|&entry| ((entry >> 1) as usize, entry & 1 == 1))
     }
 
-    /// Contact force on a particle of this radius [m], summed in ascending order of partners.
-    #[inline]
-    pub fn sum<const SCALE: bool>(&self, p: usize, radius: f64) -> Sum {
-        let mut sum = Sum::default();
-        let entries = &self.entries[self.starts[p] as usize..self.starts[p + 1] as usize];
-        for &entry in entries {
-            let Slot([fx, fy, tau, _]) = self.slots[(entry >> 1) as usize];
-            let sign = 1.0 - 2.0 * f64::from(entry & 1);
-            sum.f[0] += sign * fx;
-            sum.f[1] += sign * fy;
-            sum.tau += tau;
-            if SCALE {
-                sum.scale += fx.abs() + fy.abs();
-            }
-        }
-        if self.rolls {
-            sum.tau += self.rolling_moment(p) / radius;
-        }
-        sum
-    }
-
-    /// Moment of rolling resistance on a particle [N m].
-    fn rolling_moment(&self, p: usize) -> f64 {
-        self.of(p).fold(0.0, |sum, (k, second)| {
-            let Slot([.., moment]) = self.slots[k];
-            if second { sum + moment } else { sum - moment }
-        })
+    /// Where a particle's forces stand: slot number times two, plus one where it is the second body;
+    /// ascending partners, then walls.
+    #[inline(always)]
+    pub(in crate::engine) fn entries(&self, p: usize) -> &[u32] {
+        &self.entries[self.starts[p] as usize..self.starts[p + 1] as usize]
     }
 
     /// Takes the centres that travel is measured from along with an imposed flow.

@@ -1,6 +1,7 @@
 //! One contact with partial slip and its step.
 
 use super::polyline::{Diagram, Node, ORIGIN};
+use crate::engine::contact::numbers::{Numbers, Reading, Writing, Written};
 
 /// Parameters of one contact, prepared once per pair and rebuild.
 #[derive(Debug, Clone, Copy)]
@@ -17,6 +18,35 @@ pub struct Partial {
     nodes: usize,
     /// Whether what dropped nodes take from the stored energy is worked out.
     pub(super) booked: bool,
+}
+
+/// Counts and flags go as the bits of a number that nobody reckons with.
+impl Numbers<f64> for Partial {
+    const COUNT: usize = 6;
+
+    #[inline(always)]
+    fn take(from: &mut Reading) -> Self {
+        let (hertz, compliance, per_compliance) = (from.column(), from.column(), from.column());
+        let (friction, nodes, booked): (f64, f64, f64) =
+            (from.column(), from.column(), from.column());
+        Self {
+            hertz,
+            compliance,
+            per_compliance,
+            friction,
+            nodes: nodes.to_bits() as usize,
+            booked: booked.to_bits() != 0,
+        }
+    }
+}
+
+impl Written<f64> for Partial {
+    fn give(self, mask: bool, to: &mut Writing) {
+        let bits = |bits: u64| f64::from_bits(bits);
+        [self.hertz, self.compliance].give(mask, to);
+        [self.per_compliance, self.friction].give(mask, to);
+        [bits(self.nodes as u64), bits(u64::from(self.booked))].give(mask, to);
+    }
 }
 
 /// What a step answers.

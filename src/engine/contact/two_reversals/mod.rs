@@ -42,6 +42,7 @@ mod view;
 
 use serde::{Deserialize, Serialize};
 
+use super::numbers::{Numbers, Reading, Writing, Written};
 use curves::Run;
 
 /// The most energy that a closed cycle of overlap and displacement was found to give per turn, as a
@@ -213,6 +214,29 @@ pub struct TwoReversals {
     /// E\*/(4 G\*): sliding displacement over μα.
     kappa: f64,
     friction: f64,
+}
+
+impl Numbers<f64> for TwoReversals {
+    const COUNT: usize = 4;
+
+    #[inline(always)]
+    fn take(from: &mut Reading) -> Self {
+        let [limit, shear] = <[f64; 2]>::take(from);
+        let [kappa, friction] = <[f64; 2]>::take(from);
+        Self {
+            limit,
+            shear,
+            kappa,
+            friction,
+        }
+    }
+}
+
+impl Written<f64> for TwoReversals {
+    fn give(self, mask: bool, to: &mut Writing) {
+        [self.limit, self.shear].give(mask, to);
+        [self.kappa, self.friction].give(mask, to);
+    }
 }
 
 impl TwoReversals {

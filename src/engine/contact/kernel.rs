@@ -1,0 +1,388 @@
+//! The loop everything waits for: geometry, law and force of blocks of contacts.
+//!
+//! One block is as many contacts as there are lanes; what is left over at the end of a stretch, and
+//! contacts with walls, go one by one through the same code. Each contact writes the force on its
+//! first body into its own slot, so the bits depend neither on the order of the list nor on widths
+//! and threads.
+#![allow(
+    unsafe_code,
+    reason = "columns by pointer and vector instructions; each use says what it relies on"
+)]
+
+use super::book::{Book, Step};
+use super::columns::MOST;
+use super::law::{Law, React};
+use super::memory::Memory;
+use super::numbers::{Column, Numbers, Reading, Writing};
+use super::pass::View;
+use super::quantities::{Reaction, Touch};
+#[cfg(target_arch = "x86_64")]
+use crate::engine::lanes::{Eight, Four};
+use crate::engine::lanes::{Isa, Lanes, Meeting};
+use crate::engine::neighbours::Slot;
+use crate::engine::particles::Row;
+use crate::engine::wall_contact::WallTouch;
+
+/// How far ahead rows are asked for [contacts].
+const AHEAD: usize = 64;
+
+/// Fewer particles than this stay near the processor by themselves.
+const FAR: usize = 8192;
+
+/// Columns and pointers of a pass, for the threads of one evaluation.
+pub(super) struct Kernel<'a, L: Law> {
+    pub(super) view: View<'a>,
+    /// Parameters of pairs, and of contacts with walls (counted from their own first).
+    pub(super) laws: [[Column; MOST]; 2],
+    pub(super) memory: [Column; MOST],
+    pub(super) whole: *mut <L::Memo as Memory>::Whole,
+    pub(super) book: *mut Book,
+    pub(super) slots: *mut Slot,
+    /// How each contact stands, as a byte.
+    pub(super) status: *mut u8,
+}
+
+// SAFETY: the pointers are to contacts, and each contact is worked on by one thread only.
+unsafe impl<L: Law> Send for Kernel<'_, L> {}
+// SAFETY: as above.
+unsafe impl<L: Law> Sync for Kernel<'_, L> {}
+
+/// Bytes that say of each of eight contacts whether its bit is set.
+static SPREAD: [u64; 256] = {
+    let mut table = [0; 256];
+    let mut bits = 0;
+    while bits < 256 {
+        let mut lane = 0;
+        while lane < 8 {
+            table[bits] |= ((bits as u64 >> lane) & 1) << (8 * lane);
+            lane += 1;
+        }
+        bits += 1;
+    }
+    table
+};
+
+/// Geometry of a block.
+struct Geometry<V: Lanes> {
+    e: [V; 2],
+    touch: Touch<V>,
+    /// D/(R1 + R2), the ratio by which lever arms are shorter than radii.
+    arm: V,
+}
+
+impl<L: Law> Kernel<'_, L> {
+    /// Contacts `from..to`, with the instructions asked for.
+    ///
+    /// # Safety
+    /// The pointers must be to so many contacts, the pairs to rows, and nobody else may work on
+    /// these contacts.
+    pub(super) unsafe fn run<const BOOK: bool>(&self, from: usize, to: usize, isa: Isa) {
+        let pairs = self.view.pairs.len();
+        let last = to.min(pairs);
+        if from < last {
+            // SAFETY: the caller's; instructions are used only where the processor has them.
+            unsafe {
+                match isa {
+                    #[cfg(target_arch = "x86_64")]
+                    Isa::Avx512 if Isa::Avx512.is_here() => self.with_eight::<BOOK>(from, last),
+                    #[cfg(target_arch = "x86_64")]
+                    Isa::Avx2 if Isa::Avx2.is_here() => self.with_four::<BOOK>(from, last),
+                    _ => self.pairs::<f64, BOOK>(from, last),
+                }
+            }
+        }
+        for k in from.max(pairs)..to {
+            // SAFETY: the caller's.
+            unsafe { self.wall::<BOOK>(k) };
+        }
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2")]
+    unsafe fn with_eight<const BOOK: bool>(&self, from: usize, to: usize) {
+        // SAFETY: the caller's.
+        unsafe { self.pairs::<Eight, BOOK>(from, to) }
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx2")]
+    unsafe fn with_four<const BOOK: bool>(&self, from: usize, to: usize) {
+        // SAFETY: the caller's.
+        unsafe { self.pairs::<Four, BOOK>(from, to) }
+    }
+
+    #[inline(always)]
+    unsafe fn pairs<V: Lanes, const BOOK: bool>(&self, from: usize, to: usize) {
+        let mut k = from;
+        let far = self.view.rows.len() > FAR;
+        // SAFETY: the caller's; blocks end before `to`.
+        unsafe {
+            while k + V::COUNT <= to {
+                if far {
+                    self.ask_for(k + AHEAD, V::COUNT);
+                }
+                self.pair::<V, BOOK>(k);
+                k += V::COUNT;
+            }
+            while k < to {
+                self.pair::<f64, BOOK>(k);
+                k += 1;
+            }
+        }
+    }
+
+    /// Asks for the rows of a block of contacts that comes soon.
+    #[inline(always)]
+    fn ask_for(&self, first: usize, count: usize) {
+        #[cfg(target_arch = "x86_64")]
+        if let Some(pairs) = self.view.pairs.get(first..first + count) {
+            use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
+            let rows = self.view.rows.as_ptr();
+            for &[i, j] in pairs {
+                // SAFETY: asking for memory is harmless, whatever is there.
+                unsafe {
+                    _mm_prefetch::<_MM_HINT_T0>(rows.wrapping_add(i as usize).cast());
+                    _mm_prefetch::<_MM_HINT_T0>(rows.wrapping_add(j as usize).cast());
+                }
+            }
+        }
+    }
+
+    /// How the contacts of a block stood, a byte each.
+    #[inline(always)]
+    unsafe fn stood(&self, k: usize, count: usize) -> u64 {
+        // SAFETY: the caller's: so many bytes.
+        unsafe {
+            let status = self.status.add(k);
+            match count {
+                8 => status.cast::<u64>().read_unaligned(),
+                4 => u64::from(status.cast::<u32>().read_unaligned()),
+                _ => u64::from(*status),
+            }
+        }
+    }
+
+    #[inline(always)]
+    unsafe fn stand(&self, k: usize, count: usize, bytes: u64) {
+        // SAFETY: the caller's: so many bytes.
+        unsafe {
+            let status = self.status.add(k);
+            match count {
+                8 => status.cast::<u64>().write_unaligned(bytes),
+                4 => status.cast::<u32>().write_unaligned(bytes as u32),
+                _ => *status = bytes as u8,
+            }
+        }
+    }
+
+    #[inline(always)]
+    unsafe fn pair<V: Lanes, const BOOK: bool>(&self, k: usize) {
+        // SAFETY: the caller's: a block of pairs.
+        unsafe {
+            let Meeting {
+                d,
+                v,
+                spin,
+                rim,
+                reach,
+            } = V::meet(self.view.rows.as_ptr(), self.view.pairs.as_ptr().add(k));
+            let square = d[0] * d[0] + d[1] * d[1];
+            let distance = square.sqrt();
+            let overlap = reach - distance;
+            let apart = square.at_least(reach * reach) | V::all(0.0).at_least(overlap);
+            let touching = !apart;
+            let stood = self.stood(k, V::COUNT);
+            if stood == 0 && !V::any(touching) {
+                return self.rest::<BOOK>(k, V::COUNT);
+            }
+            let e = [d[0] / distance, d[1] / distance];
+            let arm = distance / reach;
+            let turns = <L::On<V> as React<V>>::TANGENTIAL;
+            let slide = if turns {
+                v[0] * e[1] - v[1] * e[0] - rim * arm
+            } else {
+                V::all(0.0)
+            };
+            let touch = Touch {
+                touching,
+                overlap,
+                approach: v[0] * e[0] + v[1] * e[1],
+                slide,
+                roll: if <L::On<V> as React<V>>::ROLLING {
+                    spin
+                } else {
+                    V::all(0.0)
+                },
+                dt: V::all(self.view.dt),
+            };
+            let geometry = Geometry { e, touch, arm };
+            let laws = self.laws[0].as_ptr();
+            self.react::<V, BOOK>(k, Reading::at(laws, k), &geometry, stood);
+        }
+    }
+
+    #[inline(never)]
+    unsafe fn wall<const BOOK: bool>(&self, k: usize) {
+        let w = k - self.view.pairs.len();
+        let wall: &WallTouch = &self.view.wall_touches[w];
+        let row: &Row = &self.view.rows[self.view.wall_pairs[w].particle as usize];
+        let overlap = row.radius - wall.distance;
+        // What is not a number touches.
+        let touching = !0.0.at_least(overlap);
+        // SAFETY: the caller's: a contact with a wall.
+        unsafe {
+            let stood = self.stood(k, 1);
+            if stood == 0 && !touching {
+                return self.rest::<BOOK>(k, 1);
+            }
+            let e = wall.e;
+            let v = [row.v[0] - wall.v[0], row.v[1] - wall.v[1]];
+            let slide = if <L::On<f64> as React<f64>>::TANGENTIAL {
+                v[0] * e[1] - v[1] * e[0] - row.spin * row.radius
+            } else {
+                0.0
+            };
+            let touch = Touch {
+                touching,
+                overlap,
+                approach: v[0] * e[0] + v[1] * e[1],
+                slide,
+                roll: if <L::On<f64> as React<f64>>::ROLLING {
+                    row.spin - wall.spin
+                } else {
+                    0.0
+                },
+                dt: self.view.dt,
+            };
+            let geometry = Geometry { e, touch, arm: 1.0 };
+            let laws = Reading::at(self.laws[1].as_ptr(), w);
+            self.react::<f64, BOOK>(k, laws, &geometry, stood);
+        }
+    }
+
+    #[inline(always)]
+    unsafe fn react<V: Lanes, const BOOK: bool>(
+        &self,
+        k: usize,
+        mut laws: Reading,
+        g: &Geometry<V>,
+        stood: u64,
+    ) {
+        // SAFETY: the caller's: a block of contacts, with parameters where `laws` stands.
+        unsafe {
+            let zero = V::all(0.0);
+            let touching = g.touch.touching;
+            let parameters = laws;
+            let law = L::On::<V>::take(&mut laws);
+            let columns = self.memory.as_ptr();
+            let whole = self.whole.wrapping_add(k);
+            let mut memory = L::Memo::lanes::<V>(&mut Reading::at(columns, k), whole);
+            let bits = V::bits(touching);
+            if BOOK || size_of::<<L::Memo as Memory>::Whole>() > 0 {
+                for lane in 0..V::COUNT {
+                    if bits >> lane & 1 != 0 {
+                        continue;
+                    }
+                    if stood.to_le_bytes()[lane] == 0 {
+                        self.rest::<BOOK>(k + lane, 1);
+                    } else {
+                        self.part::<BOOK>(
+                            k + lane,
+                            parameters.further(lane),
+                            &lane_of(&g.touch, lane),
+                        );
+                    }
+                }
+            }
+            let r = law.react(&g.touch, &mut memory);
+            L::Memo::keep::<V>(memory, touching, &mut Writing::at(columns, k));
+            let t = [g.e[1], -g.e[0]];
+            let columns = [
+                V::pick(touching, -(r.normal * g.e[0]) - r.tangential * t[0], zero),
+                V::pick(touching, -(r.normal * g.e[1]) - r.tangential * t[1], zero),
+                V::pick(touching, r.tangential * g.arm, zero),
+                V::pick(touching, r.moment, zero),
+            ];
+            V::write_rows(columns, self.slots.add(k).cast());
+            let sliding = V::bits(touching & r.sliding);
+            let bytes = SPREAD[bits as usize & 255] + SPREAD[sliding as usize & 255];
+            self.stand(k, V::COUNT, bytes);
+            if BOOK {
+                self.book(k, &r, &g.touch);
+            }
+        }
+    }
+
+    #[inline(always)]
+    unsafe fn book<V: Lanes>(&self, k: usize, r: &Reaction<V>, touch: &Touch<V>) {
+        let dt = touch.dt;
+        // Not by `map`: what is not inlined has not the instructions.
+        let (gross, slip) = (r.loss[0].numbers(), r.loss[1].numbers());
+        let (spring, drag) = (r.damping[0].numbers(), r.damping[1].numbers());
+        let along = (touch.approach * dt).numbers();
+        let across = (touch.slide * dt).numbers();
+        let excess = r.excess.numbers();
+        let (touching, sliding) = (V::bits(touch.touching), V::bits(r.sliding));
+        for lane in (0..V::COUNT).filter(|lane| touching >> lane & 1 == 1) {
+            let step = Step {
+                way: [along[lane], across[lane]],
+                sliding: sliding >> lane & 1 == 1,
+            };
+            // SAFETY: the caller's: bookings of a block of contacts.
+            let book = unsafe { &mut *self.book.add(k + lane) };
+            let loss = [gross[lane], slip[lane]];
+            book.book(loss, [spring[lane], drag[lane]], excess[lane], &step);
+        }
+    }
+
+    /// Out of touch, and in touch at the last boundary.
+    #[cold]
+    #[inline(never)]
+    unsafe fn part<const BOOK: bool>(&self, k: usize, mut laws: Reading, touch: &Touch) {
+        // SAFETY: the caller's: a contact, with parameters where `laws` stands.
+        unsafe {
+            let columns = self.memory.as_ptr();
+            let whole = &mut *self.whole.add(k);
+            if BOOK {
+                let memory = L::Memo::take(&mut Reading::at(columns, k), whole);
+                let loss = L::take(&mut laws).part(touch, &memory);
+                let step = Step {
+                    way: [touch.approach * touch.dt, touch.slide * touch.dt],
+                    sliding: false,
+                };
+                let book = &mut *self.book.add(k);
+                book.book(loss, [0.0; 2], 0.0, &step);
+                *book = Book {
+                    friction_loss: book.friction_loss,
+                    damping_loss: book.damping_loss,
+                    ..Book::default()
+                };
+            }
+            L::Memo::default().give(&mut Writing::at(columns, k), whole);
+        }
+    }
+
+    /// Still out of touch: only last step's bookings have to go.
+    #[inline(always)]
+    unsafe fn rest<const BOOK: bool>(&self, k: usize, count: usize) {
+        if BOOK {
+            for lane in 0..count {
+                // SAFETY: the caller's: bookings of a block of contacts.
+                unsafe { *self.book.add(k + lane) = Book::default() };
+            }
+        }
+    }
+}
+
+/// What one contact of a block is told.
+#[inline(always)]
+fn lane_of<V: Lanes>(touch: &Touch<V>, lane: usize) -> Touch {
+    Touch {
+        touching: V::bits(touch.touching) >> lane & 1 == 1,
+        overlap: touch.overlap.numbers()[lane],
+        approach: touch.approach.numbers()[lane],
+        slide: touch.slide.numbers()[lane],
+        roll: touch.roll.numbers()[lane],
+        dt: touch.dt.numbers()[lane],
+    }
+}

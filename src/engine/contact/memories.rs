@@ -1,0 +1,95 @@
+//! Memories of all contacts: columns of numbers, and what is kept whole.
+#![allow(
+    unsafe_code,
+    reason = "reads and writes columns by pointer; each use says what it relies on"
+)]
+
+use super::columns::MOST;
+use super::memory::Memory;
+use super::numbers::{Column, Reading, Writing};
+
+/// One memory per contact.
+pub(super) struct Memories<M: Memory> {
+    columns: Vec<Vec<f64>>,
+    whole: Vec<M::Whole>,
+}
+
+impl<M: Memory> Default for Memories<M> {
+    fn default() -> Self {
+        const { assert!(M::COLUMNS <= MOST, "more columns than a memory may have") };
+        Self {
+            columns: (0..M::COLUMNS).map(|_| Vec::new()).collect(),
+            whole: Vec::new(),
+        }
+    }
+}
+
+impl<M: Memory> Memories<M> {
+    /// Whether parts are kept whole.
+    pub(super) const WHOLE: bool = size_of::<M::Whole>() > 0;
+
+    /// Number of contacts.
+    pub(super) fn len(&self) -> usize {
+        self.whole.len()
+    }
+
+    /// The memories that stood at `old` before, if they did.
+    pub(super) fn gather(&mut self, from: &Self, old: &[u32], room: usize) {
+        for (to, from) in self.columns.iter_mut().zip(&from.columns) {
+            to.clear();
+            to.reserve(room);
+            to.extend(
+                old.iter()
+                    .map(|&k| from.get(k as usize).copied().unwrap_or(0.0)),
+            );
+        }
+        self.whole.clear();
+        if Self::WHOLE {
+            self.whole.reserve(room);
+            let whole = |&k: &u32| from.whole.get(k as usize).copied().unwrap_or_default();
+            self.whole.extend(old.iter().map(whole));
+        } else {
+            self.whole.resize(old.len(), M::Whole::default());
+        }
+    }
+
+    /// The columns, for the loop, from a contact on, and what is kept whole.
+    #[inline]
+    pub(super) fn columns(&mut self) -> ([Column; MOST], *mut M::Whole) {
+        let mut columns = [Column::NONE; MOST];
+        for (column, numbers) in columns.iter_mut().zip(&mut self.columns) {
+            *column = Column::each(numbers);
+        }
+        (columns, self.whole.as_mut_ptr())
+    }
+
+    /// The memory of a contact.
+    pub(super) fn get(&self, k: usize) -> M {
+        let whole = &self.whole[k];
+        let mut columns = [Column::NONE; MOST];
+        for (column, numbers) in columns.iter_mut().zip(&self.columns) {
+            *column = Column::shared(numbers, true);
+        }
+        // SAFETY: all columns are as long as `whole`, which has contact k.
+        M::take(&mut unsafe { Reading::at(columns.as_ptr(), k) }, whole)
+    }
+
+    /// Changes the memory of a contact.
+    pub(super) fn set(&mut self, k: usize, memory: M) {
+        assert!(k < self.len(), "contact {k} of {}", self.len());
+        let (columns, _) = self.columns();
+        // SAFETY: all columns are as long as `whole`, which has contact k.
+        let mut to = unsafe { Writing::at(columns.as_ptr(), k) };
+        memory.give(&mut to, &mut self.whole[k]);
+    }
+
+    /// All of them.
+    pub(super) fn all(&self) -> Vec<M> {
+        (0..self.len()).map(|k| self.get(k)).collect()
+    }
+
+    /// Bytes per contact.
+    pub(super) fn bytes() -> usize {
+        M::COLUMNS * size_of::<f64>() + size_of::<M::Whole>()
+    }
+}

@@ -1,0 +1,212 @@
+//! Four lanes: AVX2.
+
+use std::arch::x86_64::{
+    __m256d, _CMP_EQ_OQ, _CMP_GE_OQ, _CMP_GT_OQ, _mm_loadu_pd, _mm256_add_pd, _mm256_and_pd,
+    _mm256_and_si256, _mm256_andnot_pd, _mm256_blend_pd, _mm256_blendv_pd, _mm256_castsi256_pd,
+    _mm256_cmp_pd, _mm256_cmpeq_epi64, _mm256_div_pd, _mm256_load_pd, _mm256_loadu_pd,
+    _mm256_movemask_pd, _mm256_mul_pd, _mm256_or_pd, _mm256_permute2f128_pd, _mm256_set_epi64x,
+    _mm256_set1_epi64x, _mm256_set1_pd, _mm256_sqrt_pd, _mm256_storeu_pd, _mm256_sub_pd,
+    _mm256_unpackhi_pd, _mm256_unpacklo_pd, _mm256_xor_pd, _mm256_zextpd128_pd256,
+};
+
+use super::{Lanes, Meeting, Quad, arithmetic};
+use crate::engine::particles::Row;
+
+/// Numbers.
+#[derive(Clone, Copy)]
+pub struct Four(__m256d);
+
+/// All bits of a lane, or none.
+#[derive(Clone, Copy)]
+pub struct Mask(__m256d);
+
+arithmetic!(Four: Add add _mm256_add_pd, Sub sub _mm256_sub_pd, Mul mul _mm256_mul_pd, Div div _mm256_div_pd);
+arithmetic!(Mask: BitAnd bitand _mm256_and_pd, BitOr bitor _mm256_or_pd);
+
+impl std::ops::Not for Mask {
+    type Output = Self;
+    #[inline(always)]
+    fn not(self) -> Self {
+        // SAFETY: lanes of this width exist only where the processor has them.
+        Self(unsafe { _mm256_xor_pd(self.0, _mm256_castsi256_pd(_mm256_set1_epi64x(-1))) })
+    }
+}
+
+impl std::ops::Neg for Four {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        // SAFETY: lanes of this width exist only where the processor has them.
+        Self(unsafe { _mm256_xor_pd(self.0, _mm256_set1_pd(-0.0)) })
+    }
+}
+
+/// Rows to columns, or back.
+#[inline(always)]
+unsafe fn transposed([a, b, c, d]: [__m256d; 4]) -> [__m256d; 4] {
+    // SAFETY: the caller has AVX2.
+    unsafe {
+        let even = [_mm256_unpacklo_pd(a, b), _mm256_unpacklo_pd(c, d)];
+        let odd = [_mm256_unpackhi_pd(a, b), _mm256_unpackhi_pd(c, d)];
+        [
+            _mm256_permute2f128_pd::<0x20>(even[0], even[1]),
+            _mm256_permute2f128_pd::<0x20>(odd[0], odd[1]),
+            _mm256_permute2f128_pd::<0x31>(even[0], even[1]),
+            _mm256_permute2f128_pd::<0x31>(odd[0], odd[1]),
+        ]
+    }
+}
+
+/// One pair: velocities, spins and radii, and places and rims; radii and rims add up.
+#[inline(always)]
+unsafe fn pair(rows: *const Row, [i, j]: [u32; 2]) -> (__m256d, __m256d) {
+    // SAFETY: the caller has AVX2, and rows at both indices.
+    unsafe {
+        let a = rows.add(i as usize).cast::<f64>();
+        let b = rows.add(j as usize).cast::<f64>();
+        let (one, two) = (_mm256_load_pd(a), _mm256_load_pd(b));
+        let difference = _mm256_sub_pd(one, two);
+        let motion = _mm256_blend_pd::<0b1000>(difference, _mm256_add_pd(one, two));
+        let (one, two) = (_mm256_load_pd(a.add(4)), _mm256_load_pd(b.add(4)));
+        let difference = _mm256_sub_pd(two, one);
+        let place = _mm256_blend_pd::<0b1000>(difference, _mm256_add_pd(one, two));
+        (motion, place)
+    }
+}
+
+// SAFETY of all blocks without a comment of their own: lanes of this width exist only in functions
+// that are entered when the processor has AVX2.
+#[allow(
+    clippy::undocumented_unsafe_blocks,
+    reason = "one reason for all, above"
+)]
+impl Lanes for Four {
+    const COUNT: usize = 4;
+    type Mask = Mask;
+
+    #[inline(always)]
+    fn all(x: f64) -> Self {
+        Self(unsafe { _mm256_set1_pd(x) })
+    }
+
+    #[inline(always)]
+    unsafe fn read(from: *const f64) -> Self {
+        Self(unsafe { _mm256_loadu_pd(from) })
+    }
+
+    #[inline(always)]
+    unsafe fn write(self, to: *mut f64) {
+        unsafe { _mm256_storeu_pd(to, self.0) }
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(unsafe { _mm256_sqrt_pd(self.0) })
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self(unsafe { _mm256_andnot_pd(_mm256_set1_pd(-0.0), self.0) })
+    }
+
+    #[inline(always)]
+    fn copysign(self, sign: Self) -> Self {
+        unsafe {
+            let bit = _mm256_set1_pd(-0.0);
+            Self(_mm256_or_pd(
+                _mm256_andnot_pd(bit, self.0),
+                _mm256_and_pd(bit, sign.0),
+            ))
+        }
+    }
+
+    #[inline(always)]
+    fn above(self, other: Self) -> Mask {
+        Mask(unsafe { _mm256_cmp_pd::<_CMP_GT_OQ>(self.0, other.0) })
+    }
+
+    #[inline(always)]
+    fn at_least(self, other: Self) -> Mask {
+        Mask(unsafe { _mm256_cmp_pd::<_CMP_GE_OQ>(self.0, other.0) })
+    }
+
+    #[inline(always)]
+    fn equals(self, other: Self) -> Mask {
+        Mask(unsafe { _mm256_cmp_pd::<_CMP_EQ_OQ>(self.0, other.0) })
+    }
+
+    #[inline(always)]
+    fn pick(mask: Mask, yes: Self, no: Self) -> Self {
+        Self(unsafe { _mm256_blendv_pd(no.0, yes.0, mask.0) })
+    }
+
+    #[inline(always)]
+    fn bits(mask: Mask) -> u32 {
+        unsafe { _mm256_movemask_pd(mask.0) as u32 }
+    }
+
+    #[inline(always)]
+    fn mask(bits: u32) -> Mask {
+        unsafe {
+            let lanes = _mm256_set_epi64x(8, 4, 2, 1);
+            let set = _mm256_and_si256(_mm256_set1_epi64x(i64::from(bits)), lanes);
+            Mask(_mm256_castsi256_pd(_mm256_cmpeq_epi64(set, lanes)))
+        }
+    }
+
+    #[inline(always)]
+    unsafe fn meet(rows: *const Row, pairs: *const [u32; 2]) -> Meeting<Self> {
+        unsafe {
+            let (p, q) = (pair(rows, *pairs), pair(rows, *pairs.add(1)));
+            let (r, s) = (pair(rows, *pairs.add(2)), pair(rows, *pairs.add(3)));
+            let [v1, v2, spin, reach] = transposed([p.0, q.0, r.0, s.0]);
+            let [d1, d2, _, rim] = transposed([p.1, q.1, r.1, s.1]);
+            Meeting {
+                d: [Self(d1), Self(d2)],
+                v: [Self(v1), Self(v2)],
+                spin: Self(spin),
+                rim: Self(rim),
+                reach: Self(reach),
+            }
+        }
+    }
+
+    #[inline(always)]
+    unsafe fn write_rows(columns: [Self; 4], to: *mut [f64; 4]) {
+        unsafe {
+            let [a, b, c, d] = columns;
+            let rows = transposed([a.0, b.0, c.0, d.0]);
+            _mm256_storeu_pd(to.cast(), rows[0]);
+            _mm256_storeu_pd(to.add(1).cast(), rows[1]);
+            _mm256_storeu_pd(to.add(2).cast(), rows[2]);
+            _mm256_storeu_pd(to.add(3).cast(), rows[3]);
+        }
+    }
+}
+
+#[allow(
+    clippy::undocumented_unsafe_blocks,
+    reason = "one reason for all, above"
+)]
+impl Quad for Four {
+    #[inline(always)]
+    fn transposed([a, b, c, d]: [Self; 4]) -> [Self; 4] {
+        let [a, b, c, d] = unsafe { transposed([a.0, b.0, c.0, d.0]) };
+        [Self(a), Self(b), Self(c), Self(d)]
+    }
+
+    #[inline(always)]
+    fn with_last(self, other: Self) -> Self {
+        Self(unsafe { _mm256_blend_pd::<0b1000>(self.0, other.0) })
+    }
+
+    #[inline(always)]
+    fn joined(self, other: Self) -> Self {
+        Self(unsafe { _mm256_permute2f128_pd::<0x20>(self.0, other.0) })
+    }
+
+    #[inline(always)]
+    unsafe fn read_two(from: *const f64) -> Self {
+        Self(unsafe { _mm256_zextpd128_pd256(_mm_loadu_pd(from)) })
+    }
+}

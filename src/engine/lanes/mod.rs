@@ -1,0 +1,171 @@
+//! Several contacts at once: one number for each, in the registers that the processor has.
+//!
+//! A law is written once over [`Lanes`]; `f64` itself is the one lane that everything else has to
+//! agree with. Only + - * / and √ are done, correctly rounded everywhere, and no product is fused
+//! with a sum, so all widths give the same bits.
+#![allow(
+    unsafe_code,
+    reason = "vector instructions and rows by pointer; each use says what it relies on"
+)]
+
+#[cfg(target_arch = "x86_64")]
+mod avx2;
+#[cfg(target_arch = "x86_64")]
+mod avx512;
+mod isa;
+mod one;
+mod quad;
+
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+
+#[cfg(target_arch = "x86_64")]
+pub use avx2::Four;
+#[cfg(target_arch = "x86_64")]
+pub use avx512::Eight;
+pub use isa::Isa;
+pub use quad::{Plain, Quad};
+
+use super::particles::Row;
+
+/// One number per lane.
+#[allow(
+    clippy::return_self_not_must_use,
+    reason = "these are formulas: nobody drops the value of one"
+)]
+pub trait Lanes:
+    Copy
+    + Send
+    + Sync
+    + 'static
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// Number of lanes, at most 8.
+    const COUNT: usize;
+    /// Yes or no per lane.
+    type Mask: Copy
+        + BitAnd<Output = Self::Mask>
+        + BitOr<Output = Self::Mask>
+        + Not<Output = Self::Mask>;
+    /// The same number in all lanes.
+    fn all(x: f64) -> Self;
+    /// Consecutive numbers.
+    ///
+    /// # Safety
+    /// `COUNT` numbers must be readable there.
+    unsafe fn read(from: *const f64) -> Self;
+    /// Writes consecutive numbers.
+    ///
+    /// # Safety
+    /// `COUNT` numbers must be writable there.
+    unsafe fn write(self, to: *mut f64);
+    /// Square root.
+    fn sqrt(self) -> Self;
+    /// Without sign.
+    fn abs(self) -> Self;
+    /// With the sign of another.
+    fn copysign(self, sign: Self) -> Self;
+    /// Greater than another; no if either is not a number.
+    fn above(self, other: Self) -> Self::Mask;
+    /// Not less than another; no if either is not a number.
+    fn at_least(self, other: Self) -> Self::Mask;
+    /// Equal to another; no if either is not a number.
+    fn equals(self, other: Self) -> Self::Mask;
+    /// `yes` where the mask says so, else `no`.
+    fn pick(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    /// The mask as bits, lane 0 lowest.
+    fn bits(mask: Self::Mask) -> u32;
+    /// What pairs of particles see of each other.
+    ///
+    /// # Safety
+    /// `COUNT` pairs must be readable, and their indices must be those of readable rows.
+    unsafe fn meet(rows: *const Row, pairs: *const [u32; 2]) -> Meeting<Self>;
+    /// Writes one row of four numbers per lane.
+    ///
+    /// # Safety
+    /// `COUNT` rows of four numbers must be writable there.
+    unsafe fn write_rows(columns: [Self; 4], to: *mut [f64; 4]);
+
+    /// What a function makes of each.
+    #[inline(always)]
+    fn each(self, function: fn(f64) -> f64) -> Self {
+        let mut numbers = [0.0; 8];
+        // SAFETY: there are at most eight lanes.
+        unsafe {
+            self.write(numbers.as_mut_ptr());
+            for number in &mut numbers[..Self::COUNT] {
+                *number = function(*number);
+            }
+            Self::read(numbers.as_ptr())
+        }
+    }
+
+    /// The numbers, lane by lane; noughts beyond the last.
+    #[inline(always)]
+    fn numbers(self) -> [f64; 8] {
+        let mut numbers = [0.0; 8];
+        // SAFETY: there are at most eight lanes.
+        unsafe { self.write(numbers.as_mut_ptr()) };
+        numbers
+    }
+
+    /// From numbers, lane by lane.
+    #[inline(always)]
+    fn of(numbers: &[f64; 8]) -> Self {
+        // SAFETY: there are at most eight lanes.
+        unsafe { Self::read(numbers.as_ptr()) }
+    }
+
+    /// Lanes whose bits are set.
+    fn mask(bits: u32) -> Self::Mask;
+
+    /// Whether the mask says yes of any.
+    #[inline(always)]
+    fn any(mask: Self::Mask) -> bool {
+        Self::bits(mask) != 0
+    }
+
+    /// Greater than zero, else zero.
+    #[inline(always)]
+    fn positive(self) -> Self {
+        Self::pick(self.above(Self::all(0.0)), self, Self::all(0.0))
+    }
+}
+
+/// What two particles see of each other.
+#[derive(Clone, Copy)]
+pub struct Meeting<V> {
+    /// From the first centre to the second [m].
+    pub d: [V; 2],
+    /// Velocity of the first less that of the second [m/s].
+    pub v: [V; 2],
+    /// Spin of the first less that of the second [rad/s].
+    pub spin: V,
+    /// Sum of spin times radius [m/s].
+    pub rim: V,
+    /// Sum of radii [m].
+    pub reach: V,
+}
+
+/// + - * / of vectors by their intrinsics.
+#[cfg(target_arch = "x86_64")]
+macro_rules! arithmetic {
+    ($lanes:ident: $($operator:ident $method:ident $intrinsic:ident),*) => {$(
+        impl std::ops::$operator for $lanes {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                // SAFETY: lanes of this width exist only where the processor has them.
+                Self(unsafe { $intrinsic(self.0, other.0) })
+            }
+        }
+    )*};
+}
+#[cfg(target_arch = "x86_64")]
+use arithmetic;
+
+#[cfg(test)]
+mod tests;

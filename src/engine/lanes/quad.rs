@@ -1,0 +1,210 @@
+//! Rows of four numbers: what the pass over the particles works on.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use super::{Lanes, Meeting};
+use crate::engine::particles::Row;
+
+/// Lanes that hold one row of four numbers.
+#[allow(
+    clippy::return_self_not_must_use,
+    reason = "these are formulas: nobody drops the value of one"
+)]
+pub trait Quad: Lanes {
+    /// Rows to columns.
+    fn transposed(rows: [Self; 4]) -> [Self; 4];
+    /// The first three numbers, and the last of another.
+    fn with_last(self, other: Self) -> Self;
+    /// The first two numbers, and the first two of another.
+    fn joined(self, other: Self) -> Self;
+    /// Four numbers.
+    #[inline(always)]
+    fn of_four(numbers: [f64; 4]) -> Self {
+        // SAFETY: there are four.
+        unsafe { Self::read(numbers.as_ptr()) }
+    }
+    /// The first two numbers.
+    #[inline(always)]
+    fn first_two(self) -> [f64; 2] {
+        let numbers = self.numbers();
+        [numbers[0], numbers[1]]
+    }
+    /// Two numbers and two noughts.
+    ///
+    /// # Safety
+    /// Two numbers must be readable there.
+    unsafe fn read_two(from: *const f64) -> Self;
+}
+
+/// Four lanes without instructions of their own.
+#[derive(Clone, Copy)]
+pub struct Plain([f64; 4]);
+
+/// Yes or no of four.
+#[derive(Clone, Copy)]
+pub struct PlainMask([bool; 4]);
+
+macro_rules! by_lane {
+    ($($operator:ident $method:ident),*) => {$(
+        impl $operator for Plain {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                let (a, b) = (self.0, other.0);
+                Self([
+                    a[0].$method(b[0]),
+                    a[1].$method(b[1]),
+                    a[2].$method(b[2]),
+                    a[3].$method(b[3]),
+                ])
+            }
+        }
+    )*};
+}
+by_lane!(Add add, Sub sub, Mul mul, Div div);
+
+impl Neg for Plain {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(self.0.map(|x| -x))
+    }
+}
+
+impl std::ops::BitAnd for PlainMask {
+    type Output = Self;
+    #[inline(always)]
+    fn bitand(self, other: Self) -> Self {
+        Self(std::array::from_fn(|k| self.0[k] & other.0[k]))
+    }
+}
+
+impl std::ops::BitOr for PlainMask {
+    type Output = Self;
+    #[inline(always)]
+    fn bitor(self, other: Self) -> Self {
+        Self(std::array::from_fn(|k| self.0[k] | other.0[k]))
+    }
+}
+
+impl std::ops::Not for PlainMask {
+    type Output = Self;
+    #[inline(always)]
+    fn not(self) -> Self {
+        Self(self.0.map(|yes| !yes))
+    }
+}
+
+impl Lanes for Plain {
+    const COUNT: usize = 4;
+    type Mask = PlainMask;
+
+    #[inline(always)]
+    fn all(x: f64) -> Self {
+        Self([x; 4])
+    }
+
+    #[inline(always)]
+    unsafe fn read(from: *const f64) -> Self {
+        // SAFETY: the caller's.
+        Self(unsafe { from.cast::<[f64; 4]>().read() })
+    }
+
+    #[inline(always)]
+    unsafe fn write(self, to: *mut f64) {
+        // SAFETY: the caller's.
+        unsafe { to.cast::<[f64; 4]>().write(self.0) }
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(self.0.map(f64::sqrt))
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self(self.0.map(f64::abs))
+    }
+
+    #[inline(always)]
+    fn copysign(self, sign: Self) -> Self {
+        Self(std::array::from_fn(|k| self.0[k].copysign(sign.0[k])))
+    }
+
+    #[inline(always)]
+    fn above(self, other: Self) -> PlainMask {
+        PlainMask(std::array::from_fn(|k| self.0[k] > other.0[k]))
+    }
+
+    #[inline(always)]
+    fn at_least(self, other: Self) -> PlainMask {
+        PlainMask(std::array::from_fn(|k| self.0[k] >= other.0[k]))
+    }
+
+    #[inline(always)]
+    fn equals(self, other: Self) -> PlainMask {
+        PlainMask(std::array::from_fn(|k| self.0[k] == other.0[k]))
+    }
+
+    #[inline(always)]
+    fn pick(mask: PlainMask, yes: Self, no: Self) -> Self {
+        Self(std::array::from_fn(|k| {
+            if mask.0[k] { yes.0[k] } else { no.0[k] }
+        }))
+    }
+
+    #[inline(always)]
+    fn bits(mask: PlainMask) -> u32 {
+        (0..4).fold(0, |bits, k| bits | u32::from(mask.0[k]) << k)
+    }
+
+    #[inline(always)]
+    fn mask(bits: u32) -> PlainMask {
+        PlainMask(std::array::from_fn(|k| bits >> k & 1 == 1))
+    }
+
+    #[inline(always)]
+    unsafe fn meet(rows: *const Row, pairs: *const [u32; 2]) -> Meeting<Self> {
+        // SAFETY: the caller's: four pairs.
+        let m: [Meeting<f64>; 4] =
+            std::array::from_fn(|k| unsafe { f64::meet(rows, pairs.add(k)) });
+        Meeting {
+            d: [Self(m.map(|m| m.d[0])), Self(m.map(|m| m.d[1]))],
+            v: [Self(m.map(|m| m.v[0])), Self(m.map(|m| m.v[1]))],
+            spin: Self(m.map(|m| m.spin)),
+            rim: Self(m.map(|m| m.rim)),
+            reach: Self(m.map(|m| m.reach)),
+        }
+    }
+
+    #[inline(always)]
+    unsafe fn write_rows(columns: [Self; 4], to: *mut [f64; 4]) {
+        for (k, row) in Self::transposed(columns).into_iter().enumerate() {
+            // SAFETY: the caller's: four rows.
+            unsafe { to.add(k).write(row.0) };
+        }
+    }
+}
+
+impl Quad for Plain {
+    #[inline(always)]
+    fn transposed(rows: [Self; 4]) -> [Self; 4] {
+        std::array::from_fn(|k| Self(rows.map(|row| row.0[k])))
+    }
+
+    #[inline(always)]
+    fn with_last(self, other: Self) -> Self {
+        Self([self.0[0], self.0[1], self.0[2], other.0[3]])
+    }
+
+    #[inline(always)]
+    fn joined(self, other: Self) -> Self {
+        Self([self.0[0], self.0[1], other.0[0], other.0[1]])
+    }
+
+    #[inline(always)]
+    unsafe fn read_two(from: *const f64) -> Self {
+        // SAFETY: the caller's.
+        unsafe { Self([*from, *from.add(1), 0.0, 0.0]) }
+    }
+}

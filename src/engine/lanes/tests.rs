@@ -1,0 +1,143 @@
+//! Every width against one lane, to the bit.
+
+use proptest::prelude::*;
+
+use super::{Isa, Lanes};
+use crate::engine::particles::Row;
+
+/// Everything the trait can do, on the numbers of two columns.
+#[inline(always)]
+fn everything<V: Lanes>(a: &[f64; 8], b: &[f64; 8]) -> Vec<u64> {
+    let mut out = Vec::new();
+    for from in (0..8).step_by(V::COUNT) {
+        // SAFETY: `from` + COUNT is at most 8.
+        let (x, y) = unsafe { (V::read(a.as_ptr().add(from)), V::read(b.as_ptr().add(from))) };
+        let results = [
+            x + y,
+            x - y,
+            x * y,
+            x / y,
+            -x,
+            x.abs(),
+            x.sqrt(),
+            x.copysign(y),
+            x.positive(),
+            V::pick(x.above(y), x, y),
+            V::pick(!x.above(y) & !x.equals(y), x, V::all(2.0)),
+            V::pick(x.equals(y) | y.above(x), V::all(-1.0), y),
+        ];
+        for result in results {
+            let mut lanes = [0.0; 8];
+            // SAFETY: COUNT is at most 8.
+            unsafe { result.write(lanes.as_mut_ptr()) };
+            out.extend(lanes[..V::COUNT].iter().map(|x| x.to_bits()));
+        }
+        out.push(u64::from(V::bits(x.above(y))));
+    }
+    out
+}
+
+/// Lane by lane, whatever the width: the bits of a column are those of its numbers.
+fn by_number(out: &[u64], count: usize) -> Vec<Vec<u64>> {
+    let block = 12 * count + 1;
+    let mut numbers = vec![Vec::new(); 8];
+    for (k, part) in out.chunks(block).enumerate() {
+        for lane in 0..count {
+            let number = &mut numbers[k * count + lane];
+            number.extend((0..12).map(|result| part[result * count + lane]));
+            number.push(part[block - 1] >> lane & 1);
+        }
+    }
+    numbers
+}
+
+/// What pairs see of each other, and rows written back.
+#[inline(always)]
+fn meetings<V: Lanes>(rows: &[Row; 9], pairs: &[[u32; 2]; 8]) -> Vec<[u64; 4]> {
+    let mut out = [[0.0; 4]; 16];
+    for from in (0..8).step_by(V::COUNT) {
+        // SAFETY: eight pairs of nine rows; `from` + COUNT is at most 8.
+        unsafe {
+            let m = V::meet(rows.as_ptr(), pairs.as_ptr().add(from));
+            V::write_rows([m.d[0], m.d[1], m.v[0], m.v[1]], out.as_mut_ptr().add(from));
+            V::write_rows(
+                [m.spin, m.rim, m.reach, m.rim],
+                out.as_mut_ptr().add(8 + from),
+            );
+        }
+    }
+    out.iter().map(|row| row.map(f64::to_bits)).collect()
+}
+
+type Results = (Vec<Vec<u64>>, Vec<[u64; 4]>);
+
+#[inline(always)]
+fn results<V: Lanes>(
+    a: &[f64; 8],
+    b: &[f64; 8],
+    rows: &[Row; 9],
+    pairs: &[[u32; 2]; 8],
+) -> Results {
+    (
+        by_number(&everything::<V>(a, b), V::COUNT),
+        meetings::<V>(rows, pairs),
+    )
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2")]
+fn with_four(a: &[f64; 8], b: &[f64; 8], rows: &[Row; 9], pairs: &[[u32; 2]; 8]) -> Results {
+    results::<super::Four>(a, b, rows, pairs)
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx512f,avx512dq,avx512vl")]
+fn with_eight(a: &[f64; 8], b: &[f64; 8], rows: &[Row; 9], pairs: &[[u32; 2]; 8]) -> Results {
+    results::<super::Eight>(a, b, rows, pairs)
+}
+
+fn number() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        -3.0..3.0f64,
+        1e-12..1e-6f64,
+        Just(0.0),
+        Just(-0.0),
+        Just(1.0),
+        Just(f64::INFINITY),
+    ]
+}
+
+#[cfg(target_arch = "x86_64")]
+proptest! {
+    #[test]
+    fn all_widths_give_the_same_bits(
+        a in prop::array::uniform8(number()),
+        b in prop::array::uniform8(number()),
+        state in prop::collection::vec(prop::array::uniform7(-2.0..2.0f64), 9),
+        pairs in prop::array::uniform8((0..9u32, 0..9u32)),
+    ) {
+        let mut rows = [Row::default(); 9];
+        for (row, s) in rows.iter_mut().zip(&state) {
+            *row = Row { v: [s[0], s[1]], radius: s[2], x: [s[3], s[4]], angle: s[5], ..*row };
+            row.set_spin(s[6]);
+        }
+        let pairs = pairs.map(|(i, j)| [i, j]);
+        let one = results::<f64>(&a, &b, &rows, &pairs);
+        // What is not a number may differ in its sign bit.
+        let same = |other: &Results| {
+            let nan = |bits: u64| f64::from_bits(bits).is_nan();
+            let pairs = one.0.iter().flatten().zip(other.0.iter().flatten());
+            pairs.into_iter().all(|(&p, &q)| p == q || nan(p) && nan(q)) && one.1 == other.1
+        };
+        if Isa::Avx2.is_here() {
+            // SAFETY: it is here.
+            let wide = unsafe { with_four(&a, &b, &rows, &pairs) };
+            prop_assert!(same(&wide));
+        }
+        if Isa::Avx512.is_here() {
+            // SAFETY: it is here.
+            let wide = unsafe { with_eight(&a, &b, &rows, &pairs) };
+            prop_assert!(same(&wide));
+        }
+    }
+}

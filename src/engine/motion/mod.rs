@@ -1,0 +1,162 @@
+//! Newton's second law: forces to velocities to positions, leapfrog.
+//!
+//! Cundall & Strack 1979, (22), (22a), (23), (23a), with global damping in the central form (35),
+//! (36), Cundall's local damping and Randall's CON1. Velocities stand at half steps.
+
+mod drag;
+mod kernel;
+
+pub(super) use drag::{Dragged, before, kick};
+
+use super::lanes::Isa;
+use super::neighbours::list::ContactList;
+use super::particles::{Mobility, Row, Sum};
+use super::threads::{MAX_THREADS, Threads, share};
+
+/// What the pass noticed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Watch {
+    /// Square of the largest speed [m²/s²].
+    pub fastest: f64,
+    /// Whether some particle moved by its radius or more, or not by a number.
+    pub wild: bool,
+    /// Largest FRACC⁴, and the index of its particle.
+    pub fracc: (f64, usize),
+}
+
+impl Watch {
+    pub(super) const NOTHING: Self = Self {
+        fastest: 0.0,
+        wild: false,
+        fracc: (0.0, 0),
+    };
+
+    fn and(self, other: Self) -> Self {
+        Self {
+            fastest: self.fastest.max(other.fastest),
+            wild: self.wild || other.wild,
+            // Equal values: the earlier stretch holds the lower number.
+            fracc: if other.fracc.0 > self.fracc.0 {
+                other.fracc
+            } else {
+                self.fracc
+            },
+        }
+    }
+}
+
+/// What the pass reads.
+#[derive(Clone, Copy)]
+pub(super) struct Inputs<'a> {
+    pub(super) contacts: &'a ContactList,
+    pub(super) mobility: &'a [Mobility],
+    /// Weight and applied force [N]; empty when there is none.
+    pub(super) body: &'a [[f64; 2]],
+    /// Time step [s].
+    pub(super) dt: f64,
+    /// 1, or ½ in the first kick: given velocities are those of the start.
+    pub(super) part: f64,
+    /// Whether forces were already summed.
+    pub(super) settled: bool,
+    /// Whether FRACC is evaluated.
+    pub(super) fracc: bool,
+    /// Whether spins exist.
+    pub(super) spin: bool,
+    pub(super) drag: Option<Dragged>,
+    /// Vector instructions.
+    pub(super) isa: Isa,
+}
+
+struct Stretch<'a> {
+    first: usize,
+    rows: &'a mut [Row],
+    force: &'a mut [Sum],
+    watch: Watch,
+}
+
+/// Sums the contact forces (unless that was done) and moves every particle by one step.
+pub(super) fn advance(
+    inputs: Inputs<'_>,
+    rows: &mut [Row],
+    force: &mut [Sum],
+    threads: &Threads,
+) -> Watch {
+    in_stretches(rows, force, threads, |stretch| {
+        let Stretch {
+            first,
+            rows,
+            force,
+            watch,
+        } = stretch;
+        *watch = kernel::advance(&inputs, *first, rows, force);
+    })
+}
+
+/// Sums the contact forces only.
+pub(super) fn settle(
+    inputs: Inputs<'_>,
+    rows: &mut [Row],
+    force: &mut [Sum],
+    threads: &Threads,
+) -> Watch {
+    in_stretches(rows, force, threads, |stretch| {
+        let Stretch {
+            first,
+            rows,
+            force,
+            watch,
+        } = stretch;
+        *watch = kernel::sum(&inputs, *first, rows, force);
+    })
+}
+
+fn in_stretches(
+    rows: &mut [Row],
+    force: &mut [Sum],
+    threads: &Threads,
+    work: impl Fn(&mut Stretch<'_>) + Sync,
+) -> Watch {
+    let total = rows.len();
+    let parts = threads.parts(total);
+    let mut rest = Stretch {
+        first: 0,
+        rows,
+        force,
+        watch: Watch::NOTHING,
+    };
+    if parts == 1 {
+        work(&mut rest);
+        return rest.watch;
+    }
+    let mut jobs: [Option<Stretch<'_>>; MAX_THREADS] = [const { None }; MAX_THREADS];
+    for (part, job) in jobs.iter_mut().enumerate().take(parts) {
+        let n = share(total, parts, part).len();
+        let (rows, rows_rest) = rest.rows.split_at_mut(n);
+        let (force, force_rest) = rest.force.split_at_mut(n);
+        *job = Some(Stretch {
+            first: rest.first,
+            rows,
+            force,
+            watch: Watch::NOTHING,
+        });
+        rest = Stretch {
+            first: rest.first + n,
+            rows: rows_rest,
+            force: force_rest,
+            watch: Watch::NOTHING,
+        };
+    }
+    threads.run(&mut jobs[..parts], |job| {
+        if let Some(stretch) = job {
+            work(stretch);
+        }
+    });
+    jobs.iter()
+        .flatten()
+        .fold(Watch::NOTHING, |all, stretch| all.and(stretch.watch))
+}
+
+/// FRACC from its fourth power.
+pub(super) fn fracc(fourth: f64) -> f64 {
+    fourth.sqrt().sqrt()
+}
