@@ -7,6 +7,7 @@
 mod aligned;
 mod check;
 mod crowd;
+mod export;
 mod lists;
 mod output;
 mod pages;
@@ -24,6 +25,7 @@ use std::process::ExitCode;
 use crate::engine::lanes::Isa;
 use crate::language::command::PictureOf;
 use crate::scene::Seeds;
+use crate::session::Place;
 use clap::{Args, CommandFactory, Parser, Subcommand};
 
 /// Bad input or usage.
@@ -119,6 +121,11 @@ enum Command {
     Study(Study),
     /// Draw columns of histories, or a checkpoint, as SVG
     Plot(Plot),
+    /// Write a scene for another program
+    Export {
+        #[command(subcommand)]
+        to: Export,
+    },
     /// Print completions for a shell
     Completions {
         /// bash, zsh, fish, elvish or powershell
@@ -288,6 +295,47 @@ struct Plot {
     quiet: bool,
 }
 
+/// Programs that scenes are written for.
+#[derive(Debug, Subcommand)]
+enum Export {
+    /// Write a deck that runs in LAMMPS as it is: data file, input script, contact law, README
+    Lammps(Lammps),
+}
+
+/// Options of `export lammps`.
+#[derive(Debug, Args)]
+#[command(
+    override_usage = "ballast export lammps [OPTIONS] -o <FOLDER> <PRESET>\n       \
+                      ballast export lammps [OPTIONS] -o <FOLDER> <CHECKPOINT>",
+    long_about = "Write a deck that runs in LAMMPS as it is: data file with every digit, velocities and \
+    spins, input script, contact law in two forms, README of what maps and what does not. A preset is \
+    written as its first stage begins, its commands issued, or where --at says; a checkpoint as it is. \
+    What contacts remember cannot be handed over. What LAMMPS lacks is refused with the reason; \
+    --nearest writes what comes nearest and says so."
+)]
+struct Lammps {
+    /// Preset (embedded name or file) or checkpoint
+    preset: String,
+    /// Write the files into this folder, which is made if need be
+    #[arg(long, short, value_name = "FOLDER")]
+    output: PathBuf,
+    /// Run up to this stage, its commands issued, or so many cycles into it
+    #[arg(long, value_name = "STAGE[/CYCLES]", value_parser = Place::parse)]
+    at: Option<Place>,
+    /// Write what comes nearest where LAMMPS lacks something
+    #[arg(long)]
+    nearest: bool,
+    /// Override a key of the preset
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    set: Vec<String>,
+    /// Number of threads
+    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=64))]
+    threads: u16,
+    /// No progress and no messages
+    #[arg(long, short)]
+    quiet: bool,
+}
+
 /// Words for what can be drawn of a checkpoint.
 const PICTURES: [&str; 5] = {
     let [(a, _), (b, _), (c, _), (d, _), (e, _)] = PictureOf::ALL;
@@ -349,6 +397,9 @@ pub fn main() -> ExitCode {
         Some(Command::Verify(options)) => verify::verify(&options),
         Some(Command::Study(options)) => study::study(&options),
         Some(Command::Plot(options)) => plot::plot(&options),
+        Some(Command::Export {
+            to: Export::Lammps(options),
+        }) => export::lammps(&options),
         Some(Command::Completions { shell }) => pages::completions(shell, &mut Cli::command()),
         Some(Command::Man) => pages::man(Cli::command()),
     };

@@ -10,6 +10,7 @@ pub mod error;
 pub mod history;
 pub mod interrupt;
 pub mod journal;
+pub mod lammps;
 pub mod number;
 #[cfg(test)]
 mod own_process;

@@ -99,6 +99,14 @@ pub const PRESETS: &[Preset] = &[
         include_str!("../../presets/load-unload.toml"),
     ),
     preset(
+        "periodic-compression",
+        include_str!("../../presets/periodic-compression.toml"),
+    ),
+    preset(
+        "periodic-shear",
+        include_str!("../../presets/periodic-shear.toml"),
+    ),
+    preset(
         "chung-ooi-1",
         include_str!("../../presets/chung-ooi-1.toml"),
     ),

@@ -72,7 +72,7 @@ impl Session {
     }
 
     /// One cycle and what belongs to the boundary it arrives at.
-    fn cycle(&mut self) -> Result<(), RunError> {
+    pub(super) fn cycle(&mut self) -> Result<(), RunError> {
         self.first_row()?;
         if self.world.cycle_number() == 0 {
             self.dump(false)?;

@@ -40,6 +40,13 @@ impl Session {
                 let svg = self.picture(*of)?;
                 write(svg.as_bytes(), file, cycle)
             }
+            Command::Export(Export::Lammps(nearest), folder) => {
+                let deck = self.lammps(*nearest)?;
+                deck.write(Path::new(folder))?;
+                let mut reply = Reply::line(format!("cycle {cycle} in {folder}"));
+                reply.lines.extend(deck.notices);
+                Ok(reply)
+            }
             Command::Export(Export::Profile(region, rings), file) => {
                 let sample = self.sample();
                 let named = region.as_ref().and_then(|name| sample.region(name));

@@ -274,6 +274,7 @@ fn export() -> impl Strategy<Value = Export> {
         Just(Export::Vtk(DumpOf::Particles)),
         Just(Export::Vtk(DumpOf::Contacts)),
         prop::sample::select(PictureOf::ALL.to_vec()).prop_map(|(_, of)| Export::Picture(of)),
+        any::<bool>().prop_map(Export::Lammps),
     ]
 }
 

@@ -13,16 +13,18 @@ pub const CARD: Card = Card {
     aliases: &[],
     usage: "export csv FILE | particles FILE | contacts FILE | profile FILE [REGION] [RINGS] | \
             path FILE | traction FILE | vtk particles|contacts FILE | \
-            svg contact|assembly|path|mohr|histogram|rose FILE",
-    summary: "writes the history recorded so far, a table or a picture of what there is now, or the \
-              contact that is followed",
-    detail: "All but vtk and svg are CSV: one header row, then a row for each sample, particle, \
+            svg contact|assembly|path|mohr|histogram|rose FILE | lammps FOLDER [nearest]",
+    summary: "writes the history recorded so far, a table or a picture of what there is now, the contact \
+              that is followed, or a deck for LAMMPS",
+    detail: "All but vtk, svg and lammps are CSV: one header row, then a row for each sample, particle, \
              contact or ring, in SI units. Of the contact that `inspect` follows, path is overlap, \
              displacement and forces, traction the tangential traction over the radius now, svg \
              contact a picture of both. vtk is legacy VTK for ParaView: particles as points with \
              radius, velocity, spin, force, contacts ..., contacts as lines with n, t, overlap ... \
              The other pictures are the assembly with its forces, the stress path of the history, \
-             circles of Mohr, histograms and roses of the contacts of the default region.",
+             circles of Mohr, histograms and roses of the contacts of the default region. lammps writes a \
+             folder with the state now as a deck that runs there, and a README of what maps; what LAMMPS \
+             lacks is refused, or with `nearest` written as what comes nearest.",
     examples: &[
         "export csv shear.csv",
         "export contacts now.csv",
@@ -31,6 +33,7 @@ pub const CARD: Card = Card {
         "export vtk particles now.vtk",
         "export svg contact loop.svg",
         "export svg assembly now.svg",
+        "export lammps deck nearest",
     ],
     parse,
     changes_world: false,
@@ -51,6 +54,8 @@ pub enum Export {
     Vtk(DumpOf),
     /// A picture.
     Picture(PictureOf),
+    /// A deck for LAMMPS; what it lacks refused, or if true as what comes nearest.
+    Lammps(bool),
 }
 
 /// What pictures can be drawn of.
@@ -135,6 +140,7 @@ fn parse(words: &mut Words<'_>) -> Result<Command, Mistake> {
         "traction",
         "vtk",
         "svg",
+        "lammps",
     ])?;
     let drawn = match what {
         "vtk" => Some(Export::Vtk(DumpOf::of(
@@ -162,6 +168,7 @@ fn parse(words: &mut Words<'_>) -> Result<Command, Mistake> {
             Export::Profile(region, rings)
         }
         "path" => Export::Contact(ContactFile::Path),
+        "lammps" => Export::Lammps(words.optional_keyword(&["nearest"])?.is_some()),
         "traction" => Export::Contact(ContactFile::Traction),
         word => Export::All(DumpOf::of(word)),
     };
@@ -179,6 +186,8 @@ pub(crate) fn line(what: &Export, file: &str) -> String {
         Export::Contact(ContactFile::Picture) => format!("svg contact {file}"),
         Export::Vtk(of) => format!("vtk {of} {file}"),
         Export::Picture(of) => format!("svg {} {file}", of.word()),
+        Export::Lammps(false) => format!("lammps {file}"),
+        Export::Lammps(true) => format!("lammps {file} nearest"),
         Export::Profile(region, rings) => {
             format!("profile {file}{}", profile_words(region.as_ref(), *rings))
         }
