@@ -1,15 +1,19 @@
 //! The exact tangential law as a part of a contact: a memory diagram of at most M nodes.
+#![allow(
+    unsafe_code,
+    reason = "memories of a block by pointer, as the loop hands them over"
+)]
 
 use super::card::{Card, FRICTION, POISSON, Slip, YOUNG};
 use super::dashpot::Following;
-use super::diagram::{Diagram, Partial};
+use super::diagram::{Diagram, Partial, PartialLanes};
 use super::each::{Alone, Each};
 use super::hertz::{self, Hertz};
 use super::inner::Inner;
 use super::linear::Frictionless;
 use super::memory::{Memory, kept_whole};
 use super::numbers::{Numbers, Reading, Writing, Written};
-use super::parts::Tangential;
+use super::parts::{Tangential, TangentialForce};
 use super::pass::ContactPass;
 use super::quantities::{Basis, Load, Shear, Touch};
 use super::traction::Traction;
@@ -68,6 +72,72 @@ impl<const M: usize> Written<f64> for ExactShear<M> {
     }
 }
 
+/// The same in lanes.
+#[derive(Debug, Clone, Copy)]
+pub struct ExactLanes<V, const M: usize> {
+    from: Reading,
+    each: Each<ExactShear<M>>,
+    partial: PartialLanes<V>,
+}
+
+impl<V: Lanes, const M: usize> Numbers<V> for ExactLanes<V, M> {
+    const COUNT: usize = ExactShear::<M>::COUNT;
+
+    #[inline(always)]
+    fn take(from: &mut Reading) -> Self {
+        // Column by column as `Partial` has them.
+        let here = *from;
+        let mut partial = here;
+        let [hertz, _compliance] = <[V; 2]>::take(&mut partial);
+        let [per_compliance, friction] = <[V; 2]>::take(&mut partial);
+        Self {
+            from: here,
+            each: <Each<_> as Numbers<V>>::take(from),
+            partial: PartialLanes {
+                hertz,
+                per_compliance,
+                friction,
+            },
+        }
+    }
+}
+
+impl<V: Lanes, const M: usize> TangentialForce<V> for ExactLanes<V, M> {
+    type Memory = *mut Diagram<M>;
+    const ACTIVE: bool = true;
+
+    #[inline(always)]
+    fn force(&self, touch: &Touch<V>, load: &Load<V>, memory: &mut *mut Diagram<M>) -> Shear<V> {
+        let from = self.from;
+        if V::COUNT == 1 || Partial::take(&mut from.further(0)).is_booked() {
+            return self.each.force(touch, load, memory);
+        }
+        // SAFETY: the loop hands over where the memories of the block begin, and nobody else works
+        // on them.
+        let (force, sliding) = unsafe {
+            self.partial.advance(
+                V::bits(touch.touching),
+                touch.overlap,
+                touch.slide * touch.dt,
+                *memory,
+                |lane| Partial::take(&mut from.further(lane)),
+            )
+        };
+        Shear {
+            force,
+            loss: [V::all(0.0); 2],
+            sliding: V::mask(sliding),
+            // A dashpot that pulls must not turn the limit negative.
+            limit: (self.partial.friction * load.total).positive(),
+        }
+    }
+
+    #[inline(always)]
+    fn steepest(&self, overlap: V) -> V {
+        self.each.steepest(overlap)
+    }
+}
+
 impl<const M: usize> Memory for Diagram<M> {
     kept_whole!();
 
@@ -99,7 +169,7 @@ impl<const M: usize> Alone for ExactShear<M> {
 
 impl<const M: usize> Tangential for ExactShear<M> {
     type Memo = Diagram<M>;
-    type On<V: Lanes> = Each<Self>;
+    type On<V: Lanes> = ExactLanes<V, M>;
 
     fn prepare(basis: &Basis<'_>) -> Self {
         let pair = basis.pair;

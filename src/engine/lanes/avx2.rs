@@ -172,6 +172,19 @@ impl Lanes for Four {
     }
 
     #[inline(always)]
+    unsafe fn read_rows(from: &[*const [f64; 4]; 8]) -> [Self; 4] {
+        unsafe {
+            let [a, b, c, d] = transposed([
+                _mm256_loadu_pd(from[0].cast()),
+                _mm256_loadu_pd(from[1].cast()),
+                _mm256_loadu_pd(from[2].cast()),
+                _mm256_loadu_pd(from[3].cast()),
+            ]);
+            [Self(a), Self(b), Self(c), Self(d)]
+        }
+    }
+
+    #[inline(always)]
     unsafe fn write_rows(columns: [Self; 4], to: *mut [f64; 4]) {
         unsafe {
             let [a, b, c, d] = columns;

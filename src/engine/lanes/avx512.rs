@@ -1,11 +1,12 @@
 //! Eight lanes: AVX-512.
 
 use std::arch::x86_64::{
-    __m512d, __mmask8, _CMP_EQ_OQ, _CMP_GE_OQ, _CMP_GT_OQ, _mm512_add_pd, _mm512_and_pd,
-    _mm512_andnot_pd, _mm512_cmp_pd_mask, _mm512_div_pd, _mm512_load_pd, _mm512_loadu_pd,
-    _mm512_mask_add_pd, _mm512_mask_blend_pd, _mm512_mask_sub_pd, _mm512_mul_pd, _mm512_or_pd,
-    _mm512_set1_pd, _mm512_shuffle_f64x2, _mm512_sqrt_pd, _mm512_storeu_pd, _mm512_sub_pd,
-    _mm512_unpackhi_pd, _mm512_unpacklo_pd, _mm512_xor_pd,
+    __m512d, __mmask8, _CMP_EQ_OQ, _CMP_GE_OQ, _CMP_GT_OQ, _mm256_loadu_pd, _mm512_add_pd,
+    _mm512_and_pd, _mm512_andnot_pd, _mm512_castpd256_pd512, _mm512_cmp_pd_mask, _mm512_div_pd,
+    _mm512_insertf64x4, _mm512_load_pd, _mm512_loadu_pd, _mm512_mask_add_pd, _mm512_mask_blend_pd,
+    _mm512_mask_sub_pd, _mm512_mul_pd, _mm512_or_pd, _mm512_set1_pd, _mm512_shuffle_f64x2,
+    _mm512_sqrt_pd, _mm512_storeu_pd, _mm512_sub_pd, _mm512_unpackhi_pd, _mm512_unpacklo_pd,
+    _mm512_xor_pd,
 };
 
 use super::{Lanes, Meeting, arithmetic};
@@ -79,6 +80,16 @@ unsafe fn pair(rows: *const Row, [i, j]: [u32; 2]) -> __m512d {
         let motion = _mm512_sub_pd(a, b);
         let place = _mm512_mask_sub_pd(motion, 0b0111_0000, b, a);
         _mm512_mask_add_pd(place, 0b1000_1000, a, b)
+    }
+}
+
+/// Two rows of four in one register.
+#[inline(always)]
+unsafe fn two(low: *const [f64; 4], high: *const [f64; 4]) -> __m512d {
+    // SAFETY: the caller has AVX-512, and rows at both places.
+    unsafe {
+        let low = _mm512_castpd256_pd512(_mm256_loadu_pd(low.cast()));
+        _mm512_insertf64x4::<1>(low, _mm256_loadu_pd(high.cast()))
     }
 }
 
@@ -195,6 +206,22 @@ impl Lanes for Eight {
                 rim: Self(rim),
                 reach: Self(reach),
             }
+        }
+    }
+
+    #[inline(always)]
+    unsafe fn read_rows(from: &[*const [f64; 4]; 8]) -> [Self; 4] {
+        unsafe {
+            let (p, q) = (two(from[0], from[2]), two(from[1], from[3]));
+            let (r, s) = (two(from[4], from[6]), two(from[5], from[7]));
+            let low = [_mm512_unpacklo_pd(p, q), _mm512_unpacklo_pd(r, s)];
+            let high = [_mm512_unpackhi_pd(p, q), _mm512_unpackhi_pd(r, s)];
+            [
+                Self(even(low[0], low[1])),
+                Self(even(high[0], high[1])),
+                Self(odd(low[0], low[1])),
+                Self(odd(high[0], high[1])),
+            ]
         }
     }
 

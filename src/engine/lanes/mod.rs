@@ -83,6 +83,11 @@ pub trait Lanes:
     /// # Safety
     /// `COUNT` pairs must be readable, and their indices must be those of readable rows.
     unsafe fn meet(rows: *const Row, pairs: *const [u32; 2]) -> Meeting<Self>;
+    /// Columns of rows of four numbers that stand anywhere.
+    ///
+    /// # Safety
+    /// A row of four numbers must be readable at each of the first `COUNT` places.
+    unsafe fn read_rows(from: &[*const [f64; 4]; 8]) -> [Self; 4];
     /// Writes one row of four numbers per lane.
     ///
     /// # Safety

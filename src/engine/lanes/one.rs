@@ -86,6 +86,12 @@ impl Lanes for f64 {
     }
 
     #[inline(always)]
+    unsafe fn read_rows(from: &[*const [f64; 4]; 8]) -> [Self; 4] {
+        // SAFETY: the caller's.
+        unsafe { *from[0] }
+    }
+
+    #[inline(always)]
     unsafe fn write_rows(columns: [Self; 4], to: *mut [f64; 4]) {
         // SAFETY: the caller's.
         unsafe { *to = columns }

@@ -178,6 +178,12 @@ impl Lanes for Plain {
     }
 
     #[inline(always)]
+    unsafe fn read_rows(from: &[*const [f64; 4]; 8]) -> [Self; 4] {
+        // SAFETY: the caller's: four rows.
+        Self::transposed(std::array::from_fn(|k| Self(unsafe { *from[k] })))
+    }
+
+    #[inline(always)]
     unsafe fn write_rows(columns: [Self; 4], to: *mut [f64; 4]) {
         for (k, row) in Self::transposed(columns).into_iter().enumerate() {
             // SAFETY: the caller's: four rows.

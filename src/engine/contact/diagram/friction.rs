@@ -25,7 +25,7 @@ impl Partial {
         self.limit(&old, memory);
         let limited = *memory;
         let (root, target) = (old.top().root, old.top().shift);
-        let mut sliding = self.slip(root, target, memory).sliding;
+        let mut sliding = self.slip::<M, true>(root, target, memory).sliding;
         if rises(memory) {
             (*memory, sliding) = (limited, false);
         }

@@ -40,6 +40,9 @@
 
 mod energy;
 mod friction;
+mod lanes;
+#[cfg(test)]
+mod lanes_tests;
 mod partial;
 mod polyline;
 mod slip;
@@ -49,5 +52,6 @@ mod sweep;
 mod tests;
 mod view;
 
+pub use lanes::PartialLanes;
 pub use partial::{Partial, Slip};
 pub use polyline::Diagram;

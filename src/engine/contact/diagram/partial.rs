@@ -115,7 +115,12 @@ impl Partial {
         if self.friction != memory.friction || self.friction == 0.0 {
             return self.advance_otherwise(overlap, d, memory);
         }
-        self.step(overlap.sqrt(), d * self.per_compliance, memory)
+        let (root, shift) = (overlap.sqrt(), d * self.per_compliance);
+        if self.booked {
+            self.step::<M, true>(root, shift, memory)
+        } else {
+            self.step::<M, false>(root, shift, memory)
+        }
     }
 
     /// The step when friction is not what it was in the step before, or is nought.
@@ -143,7 +148,7 @@ impl Partial {
                 ..before
             };
         }
-        let after = self.step(overlap.sqrt(), d * self.per_compliance, memory);
+        let after = self.step::<M, true>(overlap.sqrt(), d * self.per_compliance, memory);
         Slip {
             gross: before.gross + after.gross,
             micro: before.micro + after.micro,
@@ -152,13 +157,40 @@ impl Partial {
         }
     }
 
+    /// Nodes that a memory with so many places may have.
+    #[inline(always)]
+    pub(super) fn most(&self, places: usize) -> usize {
+        if self.nodes < places {
+            self.nodes
+        } else {
+            places
+        }
+    }
+
+    /// What lanes hold of it: see [`super::PartialLanes`].
+    #[cfg(test)]
+    pub(super) fn of_lanes(&self) -> [f64; 3] {
+        [self.hertz, self.per_compliance, self.friction]
+    }
+
+    /// Whether losses are asked for.
+    #[inline(always)]
+    pub fn is_booked(&self) -> bool {
+        self.booked
+    }
+
     /// One step to √α with the displacement `shift` over k.
     #[inline]
-    fn step<const M: usize>(&self, root: f64, shift: f64, memory: &mut Diagram<M>) -> Slip {
+    fn step<const M: usize, const BOOK: bool>(
+        &self,
+        root: f64,
+        shift: f64,
+        memory: &mut Diagram<M>,
+    ) -> Slip {
         let top = memory.top();
         let growth = root * root - top.overlap();
         if shift.abs() > self.friction * growth {
-            return self.slip(root, top.shift + shift, memory);
+            return self.slip::<M, BOOK>(root, top.shift + shift, memory);
         }
         if growth == 0.0 {
             return Slip {
@@ -175,19 +207,18 @@ impl Partial {
             force: top.force + shift * slope,
             lost: 0.0,
         };
-        self.stop(node, 0.0, memory)
+        self.stop::<M, BOOK>(node, 0.0, memory)
     }
 
     /// The end of a step in which the inside stuck.
     #[inline(always)]
-    pub(super) fn stop<const M: usize>(
+    pub(super) fn stop<const M: usize, const BOOK: bool>(
         &self,
         end: Node,
         micro: f64,
         memory: &mut Diagram<M>,
     ) -> Slip {
-        let most = if self.nodes < M { self.nodes } else { M };
-        let forgotten = memory.finish(end, most, self.booked);
+        let forgotten = memory.finish(end, self.most(M), BOOK);
         Slip {
             force: end.force,
             micro: micro + self.compliance * forgotten,

@@ -3,9 +3,10 @@
 use serde::{Deserialize, Serialize};
 
 /// Area in units of μ α² below which the youngest node is given up at once.
-const NEGLIGIBLE: f64 = 1e-9;
+pub(super) const NEGLIGIBLE: f64 = 1e-9;
 
 /// Where the contact would be if it were shrunk.
+#[repr(C, align(32))]
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Node {
     /// Square root of the overlap, √η [√m]; the radius of the contact is √R* times this.
@@ -82,14 +83,21 @@ fn triangle(a: &Node, b: &Node, c: &Node) -> f64 {
 /// 5e-5 with 16, 1.3e-6 and 1.3e-5 with 24, 7e-7 and 4e-6 with 32. What a
 /// dropped node takes from the stored energy is booked with the slip, of either sign: with 16 nodes
 /// some 1e-4 of the tangential energy in a hard history, so that the ledger of a scene still closes.
+#[repr(C, align(32))]
 #[derive(Debug, Clone, Copy)]
 pub struct Diagram<const M: usize> {
     /// Nodes in use.
-    len: usize,
+    pub(super) len: usize,
     /// Friction coefficient that bounds the slopes [-].
     pub(super) friction: f64,
+    /// So many of `areas` are what the nodes say; fewer than there are nodes.
+    pub(super) fresh: usize,
+    /// What the polyline would lose without each node that has one on both sides [m²].
+    areas: [f64; M],
+    /// The origin, twice: whoever looks two nodes further in than the first finds it.
+    origin: [Node; 2],
     /// From the inside outwards; the last one in use is now.
-    nodes: [Node; M],
+    pub(super) nodes: [Node; M],
 }
 
 impl<const M: usize> Default for Diagram<M> {
@@ -97,6 +105,9 @@ impl<const M: usize> Default for Diagram<M> {
         Self {
             len: 0,
             friction: 0.0,
+            fresh: 0,
+            areas: [0.0; M],
+            origin: [ORIGIN; 2],
             nodes: [ORIGIN; M],
         }
     }
@@ -148,7 +159,7 @@ impl<const M: usize> Diagram<M> {
     /// Forgets everything.
     #[inline]
     pub fn forget(&mut self) {
-        (self.len, self.friction) = (0, 0.0);
+        (self.len, self.friction, self.fresh) = (0, 0.0, 0);
     }
 
     /// The point that the contact comes to when it is shrunk to `root`, smaller than now and above
@@ -168,19 +179,20 @@ impl<const M: usize> Diagram<M> {
     #[inline]
     pub(super) fn restart(&mut self, node: Node) {
         self.nodes[0] = node;
-        self.len = 1;
+        (self.len, self.fresh) = (1, 0);
     }
 
     /// Keeps the innermost `len` nodes.
     #[inline]
     pub(super) fn keep(&mut self, len: usize) {
         self.len = len;
+        self.fresh = self.fresh.min(len.saturating_sub(1));
     }
 
     /// Takes each node of another polyline from what it is, and what the node inside it became.
     pub(super) fn redraw(&mut self, other: &Self, mut node: impl FnMut(Node, Node) -> Node) {
         let mut inner = ORIGIN;
-        self.len = other.len;
+        (self.len, self.fresh) = (other.len, 0);
         for (here, &there) in self.nodes.iter_mut().zip(other.nodes()) {
             inner = node(inner, there);
             *here = inner;
@@ -212,7 +224,7 @@ impl<const M: usize> Diagram<M> {
                 forgotten += forgotten_energy(&before, &last, &node);
             }
             node.lost = lost;
-            self.len -= 1;
+            self.keep(self.len - 1);
         }
         while self.len >= most {
             forgotten += self.drop_cheapest(&mut node, book);
@@ -221,40 +233,80 @@ impl<const M: usize> Diagram<M> {
         forgotten
     }
 
+    /// Makes a node the state of now, behind which nothing is given up but to the limit.
+    #[inline(always)]
+    pub(super) fn close(&mut self, mut node: Node, most: usize) {
+        while self.len >= most {
+            self.drop_cheapest(&mut node, false);
+        }
+        self.append(node);
+    }
+
+    /// Where the last node stands, two more before it (the origin if there are none), and whether a
+    /// step under this friction is one that only few contacts do.
+    #[inline(always)]
+    pub(super) fn last(&self, friction: f64) -> (*const [f64; 4], bool) {
+        let nodes = std::mem::offset_of!(Self, nodes) as isize;
+        let offset = nodes + (self.len as isize - 1) * size_of::<Node>() as isize;
+        let last = std::ptr::from_ref(self).wrapping_byte_offset(offset);
+        let unlike = self.len == 0 || friction != self.friction || friction == 0.0;
+        (last.cast(), unlike)
+    }
+
     /// Drops the inner node with the least area; `node` is to follow the last.
     #[inline(never)]
-    fn drop_cheapest(&mut self, node: &mut Node, book: bool) -> f64 {
-        let nodes = &mut self.nodes[..self.len];
-        let mut areas = [0.0; M];
-        let (mut inner, mut here) = (ORIGIN, nodes[0]);
-        let outer = nodes[1..].iter().chain([&*node]);
-        for (area, outer) in areas.iter_mut().zip(outer) {
-            *area = triangle(&inner, &here, outer) + here.lost + outer.lost;
-            (inner, here) = (here, *outer);
+    pub(super) fn drop_cheapest(&mut self, node: &mut Node, book: bool) -> f64 {
+        let last = self.len - 1;
+        for k in self.fresh..last {
+            self.areas[k] = self.area(k, &self.nodes[k + 1]);
         }
-        let (mut cheapest, mut least) = (0, areas[0]);
-        for (k, &area) in areas[..nodes.len()].iter().enumerate() {
-            if area < least {
-                (cheapest, least) = (k, area);
-            }
-        }
+        self.areas[last] = self.area(last, node);
+        let cheapest = first_least(&self.areas[..self.len]);
+        let least = self.areas[cheapest];
         let forgotten = if book {
-            let inner = if cheapest == 0 {
-                ORIGIN
+            let outer = if cheapest == last {
+                &*node
             } else {
-                nodes[cheapest - 1]
+                &self.nodes[cheapest + 1]
             };
-            let outer = nodes.get(cheapest + 1).unwrap_or(node);
-            forgotten_energy(&inner, &nodes[cheapest], outer)
+            forgotten_energy(&self.node(cheapest), &self.nodes[cheapest], outer)
         } else {
             0.0
         };
-        match nodes.get_mut(cheapest + 1) {
-            Some(outer) => outer.lost = least,
-            None => node.lost = least,
+        if cheapest == last {
+            node.lost = least;
+        } else {
+            self.nodes[cheapest + 1].lost = least;
+            self.nodes.copy_within(cheapest + 1..self.len, cheapest);
+            self.areas.copy_within(cheapest + 1..self.len, cheapest);
         }
-        nodes.copy_within(cheapest + 1.., cheapest);
-        self.len -= 1;
+        self.len = last;
+        self.fresh = last.saturating_sub(1);
+        // The two beside it have another neighbour now.
+        for k in [cheapest.wrapping_sub(1), cheapest] {
+            if k < self.fresh {
+                self.areas[k] = self.area(k, &self.nodes[k + 1]);
+            }
+        }
         forgotten
     }
+
+    /// What the polyline would lose without node `k`, counted from 0, before `outer`.
+    #[inline(always)]
+    fn area(&self, k: usize, outer: &Node) -> f64 {
+        let here = &self.nodes[k];
+        triangle(&self.node(k), here, outer) + here.lost + outer.lost
+    }
+}
+
+/// Index of the first of the least numbers; at least one.
+#[inline(always)]
+fn first_least(numbers: &[f64]) -> usize {
+    let (mut place, mut least) = (0, numbers[0]);
+    for (k, &number) in numbers.iter().enumerate() {
+        let less = number < least;
+        least = if less { number } else { least };
+        place = if less { k } else { place };
+    }
+    place
 }

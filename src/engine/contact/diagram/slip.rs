@@ -12,7 +12,7 @@ const ROUNDING: f64 = 1e-12;
 /// Height is that over a line of slope ±μ, seen in the direction of slip, δ/k s - μ η. On the
 /// polyline it grows inwards; the line drawn from the new end has the height `end` all along, so the
 /// front passes the heights from `start` to `end` in proportion to the step done.
-struct Front {
+struct Front<const BOOK: bool> {
     sign: f64,
     friction: f64,
     hertz: f64,
@@ -27,14 +27,13 @@ struct Front {
     outer_at: f64,
     /// Sum of swept share times mean gap.
     gaps: f64,
-    /// Whether losses are asked for.
-    booked: bool,
     /// Sum of what the forces of swept segments have over those of their displacements, times the
     /// depth of the front [N m].
     bends: f64,
 }
 
-impl Front {
+/// `BOOK`: losses are asked for.
+impl<const BOOK: bool> Front<BOOK> {
     #[inline]
     fn new(law: &Partial, sign: f64, top: Node, root: f64, target: f64) -> Self {
         let friction = law.friction;
@@ -53,7 +52,6 @@ impl Front {
             outer_height: start,
             outer_at: top.root,
             gaps: 0.0,
-            booked: law.booked,
             bends: 0.0,
         }
     }
@@ -66,17 +64,20 @@ impl Front {
     /// Sweeps on to a node inside.
     #[inline]
     fn sweep(&mut self, inner: Node, height: f64) {
-        let way = (height - self.start) * self.per_range;
-        let at = (self.overlap[0] + way * self.overlap[1]).sqrt();
-        self.lose(&inner, height, at);
-        (self.outer, self.outer_height, self.outer_at) = (inner, height, at);
+        if BOOK {
+            let way = (height - self.start) * self.per_range;
+            let at = (self.overlap[0] + way * self.overlap[1]).sqrt();
+            self.lose(&inner, height, at);
+            self.outer_at = at;
+        }
+        (self.outer, self.outer_height) = (inner, height);
     }
 
     /// Adds what is lost from where the front is to a node inside with its height.
     #[inline]
     fn lose(&mut self, inner: &Node, height: f64, at: f64) {
         let share = (height - self.outer_height) * self.per_range;
-        if self.booked && share > ROUNDING {
+        if BOOK && share > ROUNDING {
             let outer = [self.outer.root, self.outer_at];
             let inside = [inner.root, at];
             self.gaps += share * mean_gap(inside, outer);
@@ -99,7 +100,7 @@ impl Front {
 impl Partial {
     /// A step with slip, or one back along the polyline: to √α and δ/k.
     #[inline]
-    pub(super) fn slip<const M: usize>(
+    pub(super) fn slip<const M: usize, const BOOK: bool>(
         &self,
         root: f64,
         target: f64,
@@ -114,10 +115,10 @@ impl Partial {
         };
         if here.shift == target {
             memory.keep(inside);
-            return self.stop(here, 0.0, memory);
+            return self.stop::<M, BOOK>(here, 0.0, memory);
         }
         let sign = if target > here.shift { 1.0 } else { -1.0 };
-        let mut front = Front::new(self, sign, top, root, target);
+        let mut front = Front::<BOOK>::new(self, sign, top, root, target);
         let mut kept = memory.len();
         while kept > 0 {
             let inner = memory.node(kept - 1);
@@ -129,7 +130,7 @@ impl Partial {
                     shift: target,
                     ..here
                 };
-                return self.stop(end, self.slip_work(&front), memory);
+                return self.stop::<M, BOOK>(end, self.slip_work(&front), memory);
             }
             if height >= front.end {
                 memory.keep(kept - 1);
@@ -144,9 +145,9 @@ impl Partial {
     /// The front stops between where it is and the node `inner`, the outermost that is kept; `here` is
     /// where the polyline is at the new overlap of a contact that shrinks.
     #[inline]
-    fn meet<const M: usize>(
+    fn meet<const M: usize, const BOOK: bool>(
         &self,
-        mut front: Front,
+        mut front: Front<BOOK>,
         [inner, here]: [Node; 2],
         root: f64,
         target: f64,
@@ -164,7 +165,7 @@ impl Partial {
                 shift: target,
                 ..here
             };
-            return self.stop(end, self.slip_work(&front), memory);
+            return self.stop::<M, BOOK>(end, self.slip_work(&front), memory);
         }
         front.lose(&met, end, root);
         if met.root > inner.root {
@@ -177,12 +178,17 @@ impl Partial {
             force: met.force + front.sign * rise,
             lost: 0.0,
         };
-        self.stop(end, self.slip_work(&front), memory)
+        self.stop::<M, BOOK>(end, self.slip_work(&front), memory)
     }
 
     /// The front met nothing: the whole contact slides the rest of the way.
     #[inline]
-    fn slide<const M: usize>(&self, front: &Front, root: f64, memory: &mut Diagram<M>) -> Slip {
+    fn slide<const M: usize, const BOOK: bool>(
+        &self,
+        front: &Front<BOOK>,
+        root: f64,
+        memory: &mut Diagram<M>,
+    ) -> Slip {
         let limit = front.sign * self.friction;
         let end = Node {
             root,
@@ -191,11 +197,16 @@ impl Partial {
             lost: 0.0,
         };
         memory.restart(end);
-        let surplus = self.compliance * (front.end - front.outer_height);
-        let load = self.hertz * mean_load(front.outer_at, root);
+        let gross = if BOOK {
+            let surplus = self.compliance * (front.end - front.outer_height);
+            let load = self.hertz * mean_load(front.outer_at, root);
+            self.friction * load * surplus
+        } else {
+            0.0
+        };
         Slip {
             force: end.force,
-            gross: self.friction * load * surplus,
+            gross,
             micro: self.slip_work(front),
             sliding: true,
         }
@@ -205,7 +216,10 @@ impl Partial {
     /// of one slope D, and s μ k (α - c) dB more where force and displacement of a segment differ by
     /// B = dT - D dN.
     #[inline]
-    fn slip_work(&self, front: &Front) -> f64 {
+    fn slip_work<const BOOK: bool>(&self, front: &Front<BOOK>) -> f64 {
+        if !BOOK {
+            return 0.0;
+        }
         let range = front.end - front.start;
         let gaps = self.hertz * range * front.gaps;
         self.friction * self.compliance * (gaps + front.sign * front.bends)
