@@ -14,5 +14,7 @@ mod moduli;
 mod rings;
 #[path = "boundaries/servos.rs"]
 mod servos;
+#[path = "boundaries/stress.rs"]
+mod stress;
 #[path = "boundaries/walls.rs"]
 mod walls;

@@ -220,6 +220,14 @@ fn check_tells_what_a_user_wants_to_know() {
         "model.overlap=\"allow\"",
     ]);
     assert!(deep.contains("particles 1 and 2 overlap by 20 %"), "{deep}");
+    // Boundaries with their size, and nothing wider than a terminal.
+    let cell = listed(&["check", "load-unload"]);
+    assert!(cell.contains("edges 0.0364 0"), "{cell}");
+    let ring = listed(&["check", "graded-compression"]);
+    assert!(ring.contains("0.02 m in radius"), "{ring}");
+    for line in cell.lines().chain(ring.lines()) {
+        assert!(line.chars().count() <= 80, "{line}");
+    }
     // Nothing is said about what is in order.
     assert!(!listed(&["check", "rolling-disc"]).contains("limit 0.3506 at cycle"));
 }

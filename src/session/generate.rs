@@ -88,10 +88,9 @@ fn around(world: &World) -> Around {
         let Some(cell) = world.cell() else {
             return vec![world.position(p)];
         };
-        let home = cell.home(particles.row[p].x);
-        let shifts = (-1..=1).flat_map(|n| (-1..=1).map(move |m| cell.shift([n, m])));
-        shifts
-            .map(|shift| [0, 1].map(|k| home[k] + shift[k] + origin[k]))
+        let images = cell.images(particles.row[p].x, 1);
+        images
+            .map(|(_, x)| [x[0] + origin[0], x[1] + origin[1]])
             .collect()
     };
     let discs = |p: usize| {

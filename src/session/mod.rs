@@ -33,6 +33,7 @@ pub use course::Errand;
 pub use error::{Refusal, RunError};
 pub use execute::{By, Reply, Request};
 pub use opening::Options;
+pub use print::boundary_itself;
 pub use reach::{Place, Reached};
 pub use recording::{Recording, Row};
 pub use replay::Replay;

@@ -69,12 +69,12 @@ fn tested(boundary: &str, place: &str) -> Vec<Row> {
         max_cycles = 300_000
         [[stage]]
         name = "rest"
-        do = ["con1 0.99", "continuum none", "friction 0.3", "servo mean 1e5 deviator 0 shear 0"]
-        until = "stage_cycle > 5000 and unbalanced < 1e-3"
+        do = ["con1 0.999", "continuum none", "friction 0.3", "servo mean 1e5 deviator 0 shear 0"]
+        until = "stage_cycle > 5000 and unbalanced < 1e-3 and sin_phi < 4e-3"
         max_cycles = 100_000
         [[stage]]
         name = "shear"
-        do = ["servo mean 1e5 gain 2", "strain rate -0.42 0 0 0.42 over 1000"]
+        do = ["servo mean 1e5 gain 8", "strain rate -0.42 0 0 0.42 over 1000"]
         max_cycles = 25_000
         [[stage]]
         name = "back"
@@ -82,15 +82,15 @@ fn tested(boundary: &str, place: &str) -> Vec<Row> {
         max_cycles = 15_000
         [[stage]]
         name = "unload"
-        do = ["strain rate 0 0 0 0", "servo mean 1e5 deviator 0 shear 0 over 10000"]
+        do = ["strain rate 0 0 0 0", "servo mean 1e5 deviator 0 shear 0 over 10000 gain 8"]
         max_cycles = 20_000
         [[stage]]
         name = "path"
-        do = ["servo mean 1e5 deviator 3e4 shear 0 over 20000 gain 2"]
+        do = ["servo mean 1e5 deviator 3e4 shear 0 over 20000 gain 32"]
         max_cycles = 20_000
         [[stage]]
         name = "path-back"
-        do = ["servo mean 1e5 deviator -3e4 shear 0 over 40000 gain 2"]
+        do = ["servo mean 1e5 deviator -3e4 shear 0 over 40000 gain 32"]
         max_cycles = 40_000
         "#
     );

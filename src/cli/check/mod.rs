@@ -16,6 +16,7 @@ use crate::scene::Scene;
 use crate::session::figure::figure;
 use crate::session::{Options, Session};
 use crate::study::trial::Trial;
+use crate::tui::write::wrapped;
 
 /// Checks it; answers the exit status.
 pub(super) fn check(options: &Check) -> u8 {
@@ -51,6 +52,12 @@ pub(super) fn check(options: &Check) -> u8 {
     print(&report.finish())
 }
 
+/// Usual width of a terminal [columns].
+const WIDTH: usize = 80;
+
+/// Columns that labels take.
+const INDENT: usize = 15;
+
 /// Lines with a label each, and what there is to worry about.
 #[derive(Default)]
 struct Report {
@@ -60,8 +67,17 @@ struct Report {
 
 impl Report {
     fn line(&mut self, label: &str, text: impl fmt::Display) {
-        // A String takes every line.
-        let _ = writeln!(self.text, "{:14} {text}", format!("{label}:"));
+        self.lines(label, &[text.to_string()]);
+    }
+
+    /// Texts below each other, none wider than a terminal.
+    fn lines(&mut self, label: &str, texts: &[String]) {
+        let mut label = format!("{label}:");
+        for line in texts.iter().flat_map(|text| wrapped(text, WIDTH - INDENT)) {
+            // A String takes every line.
+            let _ = writeln!(self.text, "{label:INDENT$}{line}");
+            label.clear();
+        }
     }
 
     fn finish(mut self) -> String {

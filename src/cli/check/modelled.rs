@@ -7,6 +7,7 @@ use crate::engine::contact::laws::Slip;
 use crate::engine::setup::{Body, Dashpot, Gravity, NormalForm};
 use crate::language::Command;
 use crate::scene::Scene;
+use crate::session::boundary_itself;
 
 /// Describes it as it is before the first cycle, and which commands of stages change it.
 pub(super) fn describe(report: &mut Report, scene: &Scene, world: &World) {
@@ -67,17 +68,15 @@ pub(super) fn describe(report: &mut Report, scene: &Scene, world: &World) {
         no.join(", ")
     };
     report.line("not modelled", left_out);
-    let changes: Vec<String> = scene
-        .stages
-        .iter()
-        .flat_map(|stage| {
-            let changing = stage.commands.iter().filter(|c| changes_model(c));
-            changing.map(|command| format!("{command} ({})", stage.name))
-        })
-        .collect();
-    if !changes.is_empty() {
-        report.line("later", changes.join(", "));
+    if let Some(boundary) = world.boundary() {
+        report.line("boundary", boundary_itself(world, boundary));
     }
+    let changes = scene.stages.iter().filter_map(|stage| {
+        let changing = stage.commands.iter().filter(|c| changes_model(c));
+        let changing: Vec<String> = changing.map(ToString::to_string).collect();
+        (!changing.is_empty()).then(|| format!("{}: {}", stage.name, changing.join(", ")))
+    });
+    report.lines("later", &changes.collect::<Vec<String>>());
 }
 
 fn changes_model(command: &Command) -> bool {

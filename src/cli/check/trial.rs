@@ -1,7 +1,7 @@
 //! The first cycles of the run: how its step stands, and how long it will take.
 
 use super::{Report, duration};
-use crate::scene::Scene;
+use crate::scene::{Scene, Stage};
 use crate::session::figure::figure;
 use crate::study::trial::Trial;
 
@@ -42,7 +42,7 @@ pub(super) fn describe(report: &mut Report, scene: &Scene, trial: &Trial) {
     if let Some(failure) = &trial.failure {
         report.warnings.push(format!("the run fails: {failure}"));
     }
-    report.line("stages", stages(scene));
+    report.lines("stages", &stages(scene));
     report.line("length", length(scene, trial));
 }
 
@@ -71,22 +71,18 @@ fn cycles(number: u64) -> String {
     }
 }
 
-fn stages(scene: &Scene) -> String {
-    let stages: Vec<String> = scene
-        .stages
-        .iter()
-        .map(|stage| match (&stage.until, stage.max_cycles) {
-            (None, None) => stage.name.clone(),
-            (None, Some(cycles)) => format!("{} ({cycles} cycles)", stage.name),
-            (Some(until), None) => format!("{} (until {until})", stage.name),
-            (Some(until), Some(cycles)) => {
-                format!("{} (until {until}, at most {cycles} cycles)", stage.name)
-            }
-        })
-        .collect();
-    if stages.is_empty() {
-        "none".into()
-    } else {
-        stages.join(", ")
+/// One line for each.
+fn stages(scene: &Scene) -> Vec<String> {
+    if scene.stages.is_empty() {
+        return vec!["none".into()];
     }
+    let stage = |stage: &Stage| match (&stage.until, stage.max_cycles) {
+        (None, None) => stage.name.clone(),
+        (None, Some(cycles)) => format!("{}: {cycles} cycles", stage.name),
+        (Some(until), None) => format!("{}: until {until}", stage.name),
+        (Some(until), Some(cycles)) => {
+            format!("{}: until {until}, at most {cycles} cycles", stage.name)
+        }
+    };
+    scene.stages.iter().map(stage).collect()
 }

@@ -66,6 +66,20 @@ impl Cell {
         [x[0] - shift[0], x[1] - shift[1]]
     }
 
+    /// A point in the cell itself and in the cells up to `far` edges around, and where that is [m].
+    pub fn images(
+        &self,
+        x: [f64; 2],
+        far: i16,
+    ) -> impl Iterator<Item = (Image, [f64; 2])> + use<'_> {
+        let home = self.home(x);
+        let all = (-far..=far).flat_map(move |n| (-far..=far).map(move |m| [n, m]));
+        all.map(move |image| {
+            let shift = self.shift(image);
+            (image, [home[0] + shift[0], home[1] + shift[1]])
+        })
+    }
+
     /// The shortest of the vectors [m] between two points and their images; in a cell that leans by more
     /// than half an edge it may be the second shortest.
     pub fn nearest(&self, d: [f64; 2]) -> [f64; 2] {
@@ -103,6 +117,11 @@ mod tests {
         assert_eq!(cell.image([2.0, -0.5]), HERE);
         assert_eq!(cell.image([1.0, 0.5]), [-1, 1]);
         assert_eq!(cell.home([1.0, 0.5]), [2.5, -0.5]);
+        let images: Vec<_> = cell.images([1.0, 0.5], 1).collect();
+        assert_eq!(images.len(), 9);
+        assert_eq!(images[4], (HERE, [2.5, -0.5]));
+        // The point itself is one of them.
+        assert_eq!(images[2], ([-1, 1], [1.0, 0.5]));
         let widths = cell.widths();
         assert!((widths[0] - 2.0 / 1.25f64.sqrt()).abs() < 1e-15);
         assert_eq!(widths[1], 1.0);

@@ -4,7 +4,6 @@ use std::f64::consts::PI;
 
 use super::Shape;
 use crate::engine::World;
-use crate::engine::boundary::Cell;
 use crate::measure::tensor::ratio;
 
 /// What is in a region at a cycle boundary.
@@ -30,8 +29,9 @@ impl Content {
         let shape = shape.inner(world);
         let (mut disc_area, mut member_area) = (0.0, 0.0);
         let parts = |x: [f64; 2], radius: f64| match world.cell() {
-            Some(cell) if shape != Shape::All => images_around(cell, x)
-                .map(|x| shape.part_of(x, radius))
+            Some(cell) if shape != Shape::All => cell
+                .images(x, 1)
+                .map(|(_, x)| shape.part_of(x, radius))
                 .sum(),
             _ => shape.part_of(x, radius),
         };
@@ -66,14 +66,4 @@ impl Content {
     pub fn per_volume(&self) -> f64 {
         ratio(1.0 - self.porosity(), self.member_area * self.thickness)
     }
-}
-
-/// A point at home in its cell, and its images in the cells around.
-fn images_around(cell: &Cell, x: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
-    let home = cell.home(x);
-    let all = (-1..=1i16).flat_map(|n| (-1..=1i16).map(move |m| [n, m]));
-    all.map(move |image| {
-        let shift = cell.shift(image);
-        [home[0] + shift[0], home[1] + shift[1]]
-    })
 }

@@ -1,12 +1,12 @@
 //! Where particles are for whoever looks for overlaps: in a periodic cell also across its edges.
 
-use crate::engine::boundary::cell::Cell;
+use crate::engine::boundary::cell::{Cell, HERE, Image};
 use crate::engine::setup::{BoundarySetup, ParticleSetup};
 use crate::scene::draft::Draft;
 
 /// Images are looked for as many cells away at most. Particles that reach farther overlap their own
 /// images, which are nearer.
-const FAR: i32 = 2;
+const FAR: i16 = 2;
 
 /// A particle, or its image across an edge of the cell.
 #[derive(Debug, Clone, Copy)]
@@ -16,9 +16,9 @@ pub(super) struct Body {
     /// Its centre [m], for a particle of a periodic cell in the cell itself.
     pub(super) at: [f64; 2],
     /// How many edges it is shifted by from there.
-    image: [i32; 2],
+    image: Image,
     /// How many edges the particle has strayed from the cell.
-    strayed: [i32; 2],
+    strayed: Image,
 }
 
 /// Each of these particles, and in a periodic cell the images that others can touch.
@@ -27,8 +27,8 @@ pub(super) fn bodies(draft: &Draft<'_>, sound: &[usize]) -> Vec<Body> {
     let here = |&of: &usize| Body {
         of,
         at: particles[of].at,
-        image: [0; 2],
-        strayed: [0; 2],
+        image: HERE,
+        strayed: HERE,
     };
     let mut bodies: Vec<Body> = sound.iter().map(here).collect();
     if let Some(BoundarySetup::Cell { corner, edges }) = draft.setup.boundary {
@@ -44,24 +44,18 @@ fn lay(cell: &Cell, particles: &[ParticleSetup], bodies: &mut Vec<Body>) {
     let widths = cell.widths();
     for k in 0..bodies.len() {
         let body = &mut bodies[k];
-        body.strayed = cell.image(body.at).map(i32::from);
+        body.strayed = cell.image(body.at);
         body.at = cell.home(body.at);
         let own = *body;
         let fractions = cell.fractions(own.at);
         let reach = [0, 1].map(|k| (radius(&own) + largest) / widths[k]);
-        let near = |k: usize, n: i32| {
+        let near = |k: usize, n: i16| {
             let there = fractions[k] + f64::from(n);
             -reach[k] <= there && there <= 1.0 + reach[k]
         };
-        let shifts = |k: usize| (-FAR..=FAR).filter(move |&n| near(k, n));
-        for n in shifts(0) {
-            for m in shifts(1).filter(|m| [n, *m] != [0; 2]) {
-                let shift = cell.shift([n as i16, m as i16]);
-                bodies.push(Body {
-                    at: [own.at[0] + shift[0], own.at[1] + shift[1]],
-                    image: [n, m],
-                    ..own
-                });
+        for (image, at) in cell.images(own.at, FAR) {
+            if image != HERE && near(0, image[0]) && near(1, image[1]) {
+                bodies.push(Body { at, image, ..own });
             }
         }
     }
@@ -77,16 +71,19 @@ pub(super) struct Pair {
 
 /// The pair that two bodies are, if it is not the image of another pair.
 pub(super) fn pair(a: &Body, b: &Body) -> Option<Pair> {
-    let (first, second) = if (a.of, a.image != [0; 2]) <= (b.of, b.image != [0; 2]) {
+    let (first, second) = if (a.of, a.image != HERE) <= (b.of, b.image != HERE) {
         (a, b)
     } else {
         (b, a)
     };
     let own = first.of == second.of;
-    if first.image != [0; 2] || (own && second.image < [0; 2]) {
+    if first.image != HERE || (own && second.image < HERE) {
         return None;
     }
-    let apart = |k: usize| second.image[k] - second.strayed[k] + first.strayed[k];
+    let apart = |k: usize| {
+        let [there, back, on] = [second.image[k], second.strayed[k], first.strayed[k]];
+        i32::from(there) - i32::from(back) + i32::from(on)
+    };
     Some(Pair {
         of: [first.of, second.of],
         across: [apart(0), apart(1)] != [0; 2],

@@ -37,10 +37,11 @@ pub(super) fn lines(world: &World) -> Vec<String> {
     lines
 }
 
-fn imposed(world: &World, boundary: &Boundary) -> Vec<String> {
+/// What a boundary is, where and how large.
+pub fn boundary_itself(world: &World, boundary: &Boundary) -> String {
     let origin = world.origin();
     let outer = |x: [f64; 2]| vector([x[0] + origin[0], x[1] + origin[1]]);
-    let mut lines = vec![match &boundary.kind {
+    match &boundary.kind {
         Kind::Ring(ring) => format!(
             "a ring of {} particles about {} m, {} m in radius before it was strained",
             ring.members.len(),
@@ -54,7 +55,11 @@ fn imposed(world: &World, boundary: &Boundary) -> Vec<String> {
             vector(cell.edges[0]),
             vector(cell.edges[1])
         ),
-    }];
+    }
+}
+
+fn imposed(world: &World, boundary: &Boundary) -> Vec<String> {
+    let mut lines = vec![boundary_itself(world, boundary)];
     if let Kind::Ring(ring) = &boundary.kind
         && let Some(stress) = ring.stress()
     {

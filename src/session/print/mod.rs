@@ -12,6 +12,8 @@ mod measures;
 mod step;
 mod walls;
 
+pub use boundary::boundary_itself;
+
 pub(super) use balls::prescribed;
 pub(super) use contacts::{Carried, DEEP, WIDE, has_areas};
 pub(super) use layout::listed;
