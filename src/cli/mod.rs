@@ -346,6 +346,11 @@ const PICTURES: [&str; 5] = {
 #[derive(Debug, Args)]
 struct Verify {
     /// Presets (embedded names or files); none: those that take less than ten minutes in all
+    ///
+    /// Without names, presets are run in the order of `ballast presets` as long as they fit into ten
+    /// minutes at the speed of this machine, each counted with all its max_cycles; those left out are
+    /// named. A sample that a preset starts from counts too, and is prepared where it is not kept yet,
+    /// once for all presets that start from it.
     presets: Vec<String>,
     /// Every embedded preset
     #[arg(long)]

@@ -14,7 +14,7 @@ use crate::record::whole_file;
 use crate::scene::Scene;
 use crate::scene::catalogue::PRESETS;
 use crate::session::figure::figure;
-use crate::session::start::{is_ready, preparation};
+use crate::session::start::{is_ready, is_same, preparation};
 use crate::session::{Options, RunError, Session};
 use crate::study::trial::Trial;
 use crate::study::verify::{Finding, Outcome, Verdict, csv, seeds, verify as measure};
@@ -110,7 +110,7 @@ fn chosen(options: &Verify) -> Option<Vec<Scene>> {
 /// Those that take less than ten minutes in all; says which are left out.
 fn affordable(scenes: Vec<Scene>, threads: usize) -> Vec<Scene> {
     let mut left = BARE - QUICK;
-    let mut kept = Vec::new();
+    let (mut kept, mut prepared) = (Vec::new(), Vec::new());
     for scene in scenes {
         if scene.about.quick {
             kept.push(scene);
@@ -118,14 +118,16 @@ fn affordable(scenes: Vec<Scene>, threads: usize) -> Vec<Scene> {
         }
         let runs = seeds(&scene).len();
         let rounds = runs.div_ceil(threads.clamp(1, runs)) as f64;
-        let estimate = estimate(&scene, runs).map(|seconds| rounds * seconds);
-        match estimate {
-            Some(seconds) if seconds <= left => {
+        let estimate = estimate(&scene, runs, &prepared);
+        let seconds = estimate.as_ref().map(|(seconds, _)| rounds * seconds);
+        match (seconds, estimate) {
+            (Some(seconds), Some((_, sample))) if seconds <= left => {
                 left -= seconds;
+                prepared.extend(sample);
                 kept.push(scene);
             }
             _ => {
-                let long = estimate.map_or("nobody knows how long".into(), duration);
+                let long = seconds.map_or("nobody knows how long".into(), duration);
                 let name = &scene.name;
                 tell(&format!(
                     "left out: {name} ({long}); `ballast verify {name}` and --all run it"
@@ -136,22 +138,27 @@ fn affordable(scenes: Vec<Scene>, threads: usize) -> Vec<Scene> {
     kept
 }
 
-/// Time that a run takes, its sample included if that is not ready for every seed [s]. None if nobody
-/// knows: then nothing is prepared to find out.
-fn estimate(scene: &Scene, runs: usize) -> Option<f64> {
+/// Time that a run takes [s], with that of its sample where neither the cache has it for every seed nor a
+/// run before this one prepares it; and the run that prepares it then. None if nobody knows: then
+/// nothing is prepared to find out.
+fn estimate(scene: &Scene, runs: usize, prepared: &[Scene]) -> Option<(f64, Option<Scene>)> {
     let options = Options::default();
-    let preparation = preparation(scene).ok()?;
-    match preparation {
-        Some(sample) if runs > 1 || !is_ready(scene, &options) => {
-            if !is_ready(&sample, &options) {
-                return None;
-            }
-            let trial = Trial::of(Session::open(sample, options).ok()?);
-            let own: Option<u64> = scene.stages.iter().map(|stage| stage.max_cycles).sum();
-            Some(trial.estimate()? + own? as f64 / trial.rate())
-        }
-        _ => Trial::of(Session::open(scene.clone(), options).ok()?).estimate(),
+    let sample = preparation(scene).ok()?;
+    let Some(sample) = sample.filter(|_| runs > 1 || !is_ready(scene, &options)) else {
+        let trial = Trial::of(Session::open(scene.clone(), options).ok()?);
+        return Some((trial.estimate()?, None));
+    };
+    if !is_ready(&sample, &options) {
+        return None;
     }
+    let trial = Trial::of(Session::open(sample.clone(), options).ok()?);
+    let own: Option<u64> = scene.stages.iter().map(|stage| stage.max_cycles).sum();
+    let own = own? as f64 / trial.rate();
+    let shared = |other: &Scene| runs == 1 && is_same(other, &sample, &options);
+    if prepared.iter().any(shared) {
+        return Some((own, None));
+    }
+    Some((trial.estimate()? + own, Some(sample)))
 }
 
 /// Counts, the file, the exit status.

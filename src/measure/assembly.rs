@@ -28,9 +28,9 @@ pub struct Assembly {
     pub mean_force: f64,
     /// Largest contact force [N].
     pub max_force: f64,
-    /// Mean out-of-balance force of free particles over mean contact force.
+    /// Mean out-of-balance force of free particles over their mean contact force.
     pub unbalanced: f64,
-    /// Largest out-of-balance force of free particles over largest contact force.
+    /// Largest out-of-balance force of free particles over their largest contact force.
     pub unbalanced_max: f64,
 }
 
@@ -44,6 +44,9 @@ impl Assembly {
     pub fn within(world: &World, inside: &[bool]) -> Self {
         let (mut contacts, mut sliding, mut frictional) = (0.0, 0.0, 0.0);
         let (mut sum, mut max_force) = (0.0, 0f64);
+        // Particles of a ring overlap each other by any amount: what they press with balances nothing.
+        let (mut carried, mut carrying, mut max_carried) = (0.0, 0.0, 0f64);
+        let driven = |p: usize| world.particles().fixed[p][..2] == [true; 2];
         for link in Link::all(world).filter(Link::is_touching) {
             let weight = link.weight(inside);
             if weight == 0.0 {
@@ -57,6 +60,11 @@ impl Assembly {
             let force = length([link.normal, link.tangential]);
             sum += weight * force;
             max_force = max_force.max(force);
+            if !driven(link.first) || link.second().is_some_and(|second| !driven(second)) {
+                carried += weight * force;
+                carrying += weight;
+                max_carried = max_carried.max(force);
+            }
         }
         let mean_force = ratio(sum, contacts);
         let (mean_rest, max_rest) = out_of_balance(world, inside);
@@ -74,8 +82,8 @@ impl Assembly {
             sliding_fraction: ratio(sliding, frictional),
             mean_force,
             max_force,
-            unbalanced: ratio(mean_rest, mean_force),
-            unbalanced_max: ratio(max_rest, max_force),
+            unbalanced: ratio(mean_rest, ratio(carried, carrying)),
+            unbalanced_max: ratio(max_rest, max_carried),
         }
     }
 }

@@ -107,6 +107,11 @@ pub const PRESETS: &[Preset] = &[
         include_str!("../../presets/periodic-shear.toml"),
     ),
     preset(
+        "shear-walls",
+        include_str!("../../presets/shear-walls.toml"),
+    ),
+    preset("shear-cell", include_str!("../../presets/shear-cell.toml")),
+    preset(
         "chung-ooi-1",
         include_str!("../../presets/chung-ooi-1.toml"),
     ),

@@ -87,6 +87,11 @@ fn name(run: &Scene) -> String {
     format!("{title}-{:016x}.ballast", hash.finish())
 }
 
+/// Whether samples are kept at all.
+pub(super) fn is_on() -> bool {
+    folder().is_some()
+}
+
 /// `$XDG_CACHE_HOME/ballast/samples` or `~/.cache/ballast/samples`; none if it is switched off or
 /// there is no home.
 fn folder() -> Option<PathBuf> {

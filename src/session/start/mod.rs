@@ -16,7 +16,7 @@ use super::{Options, RunError, Session};
 use crate::engine::World;
 use crate::scene::{Keep, Origin, Sample, Scene, Source, Trouble};
 
-pub use prepare::{is_ready, preparation};
+pub use prepare::{is_ready, is_same, preparation};
 
 /// Called between batches while a sample is being prepared; false ends it.
 pub type Beat<'a> = dyn FnMut(&Session) -> bool + 'a;

@@ -68,6 +68,16 @@ pub fn is_ready(scene: &Scene, options: &Options) -> bool {
     }
 }
 
+/// Whether two runs that prepare a sample prepare the same one, so that the second finds it kept.
+pub fn is_same(a: &Scene, b: &Scene, options: &Options) -> bool {
+    let decides = |run: &Scene| (run.seed, run.stages.len(), run.setup.ledger);
+    !options.no_cache
+        && cache::is_on()
+        && decides(a) == decides(b)
+        && a.text == b.text
+        && a.overrides == b.overrides
+}
+
 /// The checkpoint of the sample: from the cache, or prepared now and put there.
 pub(super) fn state(
     scene: &Scene,
