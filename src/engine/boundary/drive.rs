@@ -212,16 +212,20 @@ impl World {
 
     /// After a step: a loaded ring takes its share of the stress where it is now.
     pub(in crate::engine) fn spread_load(&mut self) {
-        let cycle = self.cycle;
+        let stress = match &mut self.boundary {
+            Some(Boundary {
+                kind: Kind::Ring(ring),
+                ..
+            }) => ring.stress_at(self.cycle),
+            _ => None,
+        };
+        let Some(stress) = stress else { return };
         let thickness = self.thickness();
         let Some(Boundary {
             kind: Kind::Ring(ring),
             ..
-        }) = &mut self.boundary
+        }) = &self.boundary
         else {
-            return;
-        };
-        let Some(stress) = ring.stress_at(cycle) else {
             return;
         };
         let particles = &mut self.particles;

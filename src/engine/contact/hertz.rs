@@ -42,7 +42,7 @@ impl<V: Lanes> NormalForce<V> for Hertz<V> {
 
     #[inline(always)]
     fn tangent(&self, overlap: V, (): &()) -> V {
-        V::all(1.5) * self.hertz * overlap.positive().sqrt()
+        V::all(1.5) * self.hertz * overlap.sqrt()
     }
 }
 

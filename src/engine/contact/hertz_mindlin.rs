@@ -93,7 +93,7 @@ impl<V: Lanes, const KEEP: bool> TangentialForce<V> for HertzMindlin<V, KEEP> {
 
     #[inline(always)]
     fn steepest(&self, overlap: V) -> V {
-        self.mindlin * overlap.positive().sqrt()
+        self.mindlin * overlap.sqrt()
     }
 }
 
@@ -114,7 +114,7 @@ impl<const KEEP: bool> Tangential for HertzMindlin<f64, KEEP> {
     }
 
     fn stiffness(&self, overlap: f64) -> f64 {
-        self.steepest(overlap)
+        self.steepest(overlap.max(0.0))
     }
 
     fn energy(&self, _: f64, memory: &HeldShear) -> f64 {

@@ -195,8 +195,11 @@ impl<L: Law> Kernel<'_, L> {
             if stood == 0 && !V::any(touching) {
                 return self.rest::<BOOK>(k, V::COUNT);
             }
-            let e = [d[0] / distance, d[1] / distance];
-            let arm = distance / reach;
+            // One division for all three: D, R1 + R2 and their ratio.
+            let inverse = V::all(1.0) / (reach * distance);
+            let per_distance = reach * inverse;
+            let e = [d[0] * per_distance, d[1] * per_distance];
+            let arm = square * inverse;
             let turns = <L::On<V> as React<V>>::TANGENTIAL;
             let slide = if turns {
                 v[0] * e[1] - v[1] * e[0] - rim * arm

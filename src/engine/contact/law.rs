@@ -196,7 +196,7 @@ impl<N: Normal, T: Tangential, R: Rolling, D: Viscosity> Law for Contact<N, T, R
     }
 
     fn stiffness(&self, overlap: f64, memory: &Self::Memo) -> Stiffness {
-        let normal = self.normal.tangent(overlap, &memory.0);
+        let normal = self.normal.tangent(overlap.max(0.0), &memory.0);
         let depth = self.normal.depth(overlap, &memory.0);
         let k = [normal, self.tangential.stiffness(depth)];
         let [along, across] = self.dashpot.viscosity(k, overlap);

@@ -19,7 +19,7 @@ pub trait NormalForce<V: Lanes>: Numbers<V> {
     type Memory;
     /// Spring force [N].
     fn force(&self, touch: &Touch<V>, memory: &mut Self::Memory) -> V;
-    /// Tangent stiffness at this overlap, or where the memory stands [N/m].
+    /// Tangent stiffness at this overlap, not below zero, or where the memory stands [N/m].
     fn tangent(&self, overlap: V, memory: &Self::Memory) -> V;
     /// The overlap that the tangential part is to see [m].
     #[inline(always)]
@@ -58,7 +58,7 @@ pub trait TangentialForce<V: Lanes>: Numbers<V> {
     const ACTIVE: bool;
     /// Advances the memory by one step and answers.
     fn force(&self, touch: &Touch<V>, load: &Load<V>, memory: &mut Self::Memory) -> Shear<V>;
-    /// Stiffness without slip at this overlap: no tangent is stiffer [N/m].
+    /// Stiffness without slip at this overlap, not below zero: no tangent is stiffer [N/m].
     fn steepest(&self, overlap: V) -> V;
 }
 

@@ -14,8 +14,8 @@ use crate::engine::lanes::Four;
 use crate::engine::lanes::{Isa, Plain, Quad};
 use crate::engine::particles::{Row, Sum};
 
-/// Signs of force, tangential force and rolling moment on the first and on the second body.
-static SIGNS: [[f64; 4]; 2] = [[1.0, 1.0, 1.0, -1.0], [-1.0, -1.0, 1.0, 1.0]];
+/// Signs of force, tangential force and rolling moment on the second body, beside those on the first.
+const SECOND: [f64; 4] = [-1.0, -1.0, 1.0, -1.0];
 
 /// Sums the contact forces (unless that was done) and moves every particle of a stretch.
 pub(super) fn advance(
@@ -165,10 +165,27 @@ fn one<Q: Quad, D: Drag, const GATHER: bool, const FRACC: bool, const MOVE: bool
         let mut change = Q::all(0.0);
         if GATHER {
             let (mut new, mut size) = (Q::all(0.0), Q::all(0.0));
-            for &entry in contacts.entries(p) {
-                let slot = contacts.slots.as_ptr().add((entry >> 1) as usize);
-                let slot = Q::read(slot.cast());
-                new = new + Q::read(SIGNS[(entry & 1) as usize].as_ptr()) * slot;
+            let slots = contacts.slots.as_ptr().cast::<[f64; 4]>();
+            let whose = contacts.whose();
+            let signs = Q::of_four(SECOND);
+            for &k in whose.second(p) {
+                let slot = Q::read(slots.add(k as usize).cast());
+                new = new + signs * slot;
+                if FRACC {
+                    size = size + slot.abs();
+                }
+            }
+            let [own, walls] = whose.first(p);
+            for k in own {
+                let slot = Q::read(slots.add(k).cast());
+                new = new + slot;
+                if FRACC {
+                    size = size + slot.abs();
+                }
+            }
+            for k in walls {
+                let slot = Q::read(slots.add(k).cast());
+                new = new + slot;
                 if FRACC {
                     size = size + slot.abs();
                 }
@@ -176,7 +193,7 @@ fn one<Q: Quad, D: Drag, const GATHER: bool, const FRACC: bool, const MOVE: bool
             if contacts.rolls {
                 let mut sums = [0.0; 4];
                 new.write(sums.as_mut_ptr());
-                sums[2] += sums[3] / *state.add(3);
+                sums[2] -= sums[3] / *state.add(3);
                 new = Q::read(sums.as_ptr());
             }
             if FRACC {

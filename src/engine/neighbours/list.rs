@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::grid::Grid;
 use super::periodic::Tiling;
+use super::whose::Whose;
 use super::{Slot, Status};
 use crate::engine::boundary::cell::{Cell, HERE, Image};
 use crate::engine::particles::{Particles, Row};
@@ -28,10 +29,8 @@ pub struct ContactList {
     pub slots: Vec<Slot>,
     /// How each contact stands.
     pub status: Vec<Status>,
-    /// First entry of each particle.
-    starts: Vec<u32>,
-    /// Slot number times two, plus one where the particle is the second body.
-    entries: Vec<u32>,
+    /// Which contacts are whose.
+    whose: Whose,
     /// Centres when the list was made.
     reference: Vec<[f64; 2]>,
     /// No particle has moved further since then [m].
@@ -151,7 +150,8 @@ impl ContactList {
             }
         }
         self.carry_over([pairs, at_walls]);
-        self.index(rows.len());
+        let room = Self::room(rows.len());
+        self.whose.note(rows.len(), &self.pairs, &self.walls, room);
         self.reference.clear();
         self.reference.extend(rows.iter().map(|row| row.x));
         self.travel = 0.0;
@@ -225,54 +225,18 @@ impl ContactList {
         std::mem::swap(&mut self.touches, &mut work.touches);
     }
 
-    /// Each particle's entries: partners ascending, then walls ascending.
-    fn index(&mut self, particles: usize) {
-        self.starts.clear();
-        self.starts.resize(particles + 2, 0);
-        for &[i, j] in &self.pairs {
-            self.starts[i as usize + 2] += 1;
-            self.starts[j as usize + 2] += 1;
-        }
-        for wall in &self.walls {
-            self.starts[wall.particle as usize + 2] += 1;
-        }
-        for p in 2..self.starts.len() {
-            self.starts[p] += self.starts[p - 1];
-        }
-        self.entries.clear();
-        let [pairs, at_walls] = Self::room(particles);
-        self.entries.reserve(2 * pairs + at_walls);
-        self.entries
-            .resize(2 * self.pairs.len() + self.walls.len(), 0);
-        let mut place = |p: u32, entry: usize| {
-            let next = &mut self.starts[p as usize + 1];
-            self.entries[*next as usize] = entry as u32;
-            *next += 1;
-        };
-        // Lower partners first: in the list they all come before the particle's own pairs.
-        for (k, pair) in self.pairs.iter().enumerate() {
-            place(pair[1], 2 * k + 1);
-        }
-        for (k, pair) in self.pairs.iter().enumerate() {
-            place(pair[0], 2 * k);
-        }
-        for (w, wall) in self.walls.iter().enumerate() {
-            place(wall.particle, 2 * (self.pairs.len() + w));
-        }
-    }
-
-    /// Contact numbers of a particle, and whether it is the second body there.
+    /// Contact numbers of a particle, and whether it is the second body there: ascending partners,
+    /// then walls.
     pub fn of(&self, p: usize) -> impl Iterator<Item = (usize, bool)> + '_ {
-        self.entries(p)
-            .iter()
-            .map(|&entry| ((entry >> 1) as usize, entry & 1 == 1))
+        let [own, walls] = self.whose.first(p);
+        let second = self.whose.second(p).iter().map(|&k| (k as usize, true));
+        second.chain(own.chain(walls).map(|k| (k, false)))
     }
 
-    /// Where a particle's forces stand: slot number times two, plus one where it is the second body;
-    /// ascending partners, then walls.
+    /// Which contacts are whose.
     #[inline(always)]
-    pub(in crate::engine) fn entries(&self, p: usize) -> &[u32] {
-        &self.entries[self.starts[p] as usize..self.starts[p + 1] as usize]
+    pub(in crate::engine) fn whose(&self) -> &Whose {
+        &self.whose
     }
 
     /// Takes the centres that travel is measured from along with an imposed flow.

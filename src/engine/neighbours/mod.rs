@@ -6,6 +6,7 @@
 pub mod grid;
 pub mod list;
 mod periodic;
+mod whose;
 
 use serde::{Deserialize, Serialize};
 
