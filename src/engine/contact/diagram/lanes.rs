@@ -247,7 +247,8 @@ impl<V: Lanes> PartialLanes<V> {
             lost: to.lost,
         };
         let stops = meets | deeper;
-        alone = alone | stops & (met_root.at_least(root) | from.root.at_least(met_root));
+        // Not a number where the line is that of the segment to the last bit.
+        alone = alone | stops & !(root.above(met_root) & met_root.above(from.root));
         let rise = friction * (self.load(root) - self.load(met_root));
         let stopped = Nodes {
             root,

@@ -159,8 +159,8 @@ impl Partial {
         let part = (height - end) / (height - front.outer_height);
         let eta = inner.overlap() + part * (outer.overlap() - inner.overlap());
         let met = inner.towards(&outer, eta.sqrt(), part);
-        if met.root >= root {
-            // Rounding, as above.
+        if met.root.is_nan() || met.root >= root {
+            // Rounding, as above; not a number where the line is that of the segment to the last bit.
             let end = Node {
                 shift: target,
                 ..here

@@ -71,6 +71,21 @@ proptest! {
         }
     }
 
+    /// Steps that vanish beside what they are added to, as those of an assembly at rest: they may run
+    /// along a segment of the same slope, where a share of it would be nought over nought.
+    #[test]
+    fn vanishing_steps_change_nothing(walk in walk(), sizes in proptest::collection::vec(-1.0..1.0_f64, 1..40)) {
+        let law = law(0.4);
+        let mut memory = Diagram::<8>::default();
+        forward(&law, &walk, &mut memory);
+        let before = law.force(&memory);
+        let limit = 0.4 * law.load(memory.top().root);
+        for size in sizes {
+            let slip = law.advance(memory.overlap(), size * 1e-17 * OVERLAP, &mut memory);
+            prop_assert!((slip.force - before).abs() <= 1e-12 * limit, "{} {before}", slip.force);
+        }
+    }
+
     /// With room for every corner a step loses energy or none. What is merged as negligible may
     /// give some of its 1e-9.
     #[test]
