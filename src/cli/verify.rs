@@ -295,4 +295,29 @@ mod tests {
         let scene = Scene::parse("endless", &text, &["about.quick=false".to_owned()]).unwrap();
         assert!(affordable(vec![scene], 1).is_empty());
     }
+
+    #[test]
+    fn a_sample_counts_once_for_all_who_start_from_it() {
+        let scene = |seed: u64| {
+            // Nobody else prepares this one, so the cache does not have it.
+            let set = [
+                "stage.shear.max_cycles=1000".into(),
+                format!("model.seed={seed}"),
+            ];
+            Scene::load("constant-mean-stress", &set).unwrap()
+        };
+        let (first, sample) = estimate(&scene(918_273), 1, &[]).unwrap();
+        let prepared = [sample.expect("it has to be prepared")];
+        // A thousand cycles of its own, against at most nine hundred thousand of the sample.
+        let (second, sample) = estimate(&scene(918_273), 1, &prepared).unwrap();
+        assert!(sample.is_none() && second < 0.1 * first, "{second} {first}");
+        // Another seed is another sample, and so are several.
+        let (other, sample) = estimate(&scene(918_274), 1, &prepared).unwrap();
+        assert!(sample.is_some() && second < 0.1 * other, "{second} {other}");
+        let (several, sample) = estimate(&scene(918_273), 2, &prepared).unwrap();
+        assert!(
+            sample.is_some() && second < 0.1 * several,
+            "{second} {several}"
+        );
+    }
 }
