@@ -1,4 +1,5 @@
-//! No cycle asks for memory once buffers have grown to what the scene needs.
+//! No cycle asks for memory once buffers have grown to what the scene needs; and what `check` says of
+//! that is true.
 #![expect(
     unsafe_code,
     reason = "a counting allocator can only be written over the system's"
@@ -8,16 +9,23 @@ mod common;
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 
 use ballast::engine::World;
-use ballast::engine::setup::{BoundarySetup, Damping, Dashpot, Gravity, Setup};
+use ballast::engine::neighbours::list::ContactList;
+use ballast::engine::setup::{
+    Body, BoundarySetup, Damping, Dashpot, Gravity, Setup, TimeStepChoice,
+};
+use ballast::engine::wall_contact::{WallPair, WallTouch};
 use common::*;
 
 /// The system's allocator, counting.
 struct Counting;
 
 static REQUESTS: AtomicU64 = AtomicU64::new(0);
+
+/// Bytes that are lent.
+static LENT: AtomicUsize = AtomicUsize::new(0);
 
 /// Whether the process has begun.
 static BEGUN: AtomicBool = AtomicBool::new(false);
@@ -43,12 +51,14 @@ impl Counting {
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         Self::count();
+        LENT.fetch_add(layout.size(), Ordering::Relaxed);
         // SAFETY: the caller keeps the contract of `alloc`.
         unsafe { System.alloc(layout) }
     }
 
     // SAFETY: as above, unchanged.
     unsafe fn dealloc(&self, at: *mut u8, layout: Layout) {
+        LENT.fetch_sub(layout.size(), Ordering::Relaxed);
         // SAFETY: `at` came from `alloc` above, that is from the system.
         unsafe { System.dealloc(at, layout) }
     }
@@ -56,6 +66,8 @@ unsafe impl GlobalAlloc for Counting {
     // SAFETY: as above, unchanged.
     unsafe fn realloc(&self, at: *mut u8, layout: Layout, size: usize) -> *mut u8 {
         Self::count();
+        LENT.fetch_add(size, Ordering::Relaxed);
+        LENT.fetch_sub(layout.size(), Ordering::Relaxed);
         // SAFETY: `at` came from `alloc` above, that is from the system.
         unsafe { System.realloc(at, layout, size) }
     }
@@ -120,6 +132,73 @@ fn bounded(boundary: BoundarySetup) -> Setup {
     setup
 }
 
+const SIDE: i32 = 100;
+
+/// A hexagonal lattice of spheres in which all six neighbours are listed: three pairs each.
+fn lattice(law_name: &str) -> Setup {
+    let mut setup = scene(material(STIFFNESS, STIFFNESS, 0.3));
+    setup.law = law(law_name);
+    setup.body = Body::Sphere;
+    setup.time_step = TimeStepChoice::Rayleigh;
+    setup.ledger = false;
+    for j in 0..SIDE {
+        for i in 0..SIDE {
+            let x = 2.0 * RADIUS * (f64::from(i) + 0.5 * f64::from(j % 2));
+            let y = 3f64.sqrt() * RADIUS * f64::from(j);
+            // No two of a size: laws keep parameters for each contact.
+            let radius = RADIUS * (1.0 - 1e-6 * f64::from(i + SIDE * j) / f64::from(SIDE * SIDE));
+            setup.particles.push(particle(x, y, radius));
+        }
+    }
+    setup
+}
+
+/// What `check` says of memory is what a world really takes.
+fn the_bytes_that_check_prints_are_those_lent() {
+    let cell = BoundarySetup::Cell {
+        corner: [-0.5 * RADIUS, -0.5 * RADIUS],
+        edges: [
+            [2.0 * RADIUS * f64::from(SIDE), 0.0],
+            [0.0, 3f64.sqrt() * RADIUS * f64::from(SIDE)],
+        ],
+    };
+    let heavy = Setup {
+        gravity: Some(Gravity::Uniform([0.0, -9.81])),
+        ..lattice("hertz-mindlin")
+    };
+    let booked = Setup {
+        ledger: true,
+        ..lattice("mindlin-deresiewicz-exact")
+    };
+    let periodic = Setup {
+        boundary: Some(cell),
+        strain_rate: [[1e-6, 0.0], [0.0, -1e-6]],
+        ..lattice("hertz-mindlin")
+    };
+    for setup in [lattice("hertz-mindlin"), heavy, booked, periodic] {
+        let before = LENT.load(Ordering::Relaxed);
+        let mut world = World::build(setup.clone(), 1).expect("the scene builds");
+        // Every buffer has been used.
+        run(&mut world, 2);
+        let radius = world.particles().row[0].radius;
+        world.set_radius(0, radius);
+        let lent = LENT.load(Ordering::Relaxed) - before;
+        let (bytes, n) = (world.bytes(), world.particles().len());
+        let listed = world.contacts().len();
+        assert!(listed > 29 * n / 10, "{listed}");
+        let said = bytes.particle * n + bytes.contact * listed;
+        // Room that is kept for more contacts, and for those at walls, is lent but never touched.
+        let [pairs, at_walls] = ContactList::room(n);
+        let at_wall = 2 * size_of::<WallPair>() + size_of::<WallTouch>();
+        let unused = (pairs + at_walls - listed) * bytes.contact + at_walls * at_wall;
+        let share = lent as f64 / (said + unused) as f64;
+        assert!(
+            (0.93..1.07).contains(&share),
+            "{share} {bytes:?} {lent} {said} {unused}"
+        );
+    }
+}
+
 // One test only: the counter counts the whole process, but for the harness.
 #[test]
 fn no_cycle_asks_for_memory() {
@@ -167,4 +246,5 @@ fn no_cycle_asks_for_memory() {
         assert!(rebuilds > 5, "{rebuilds}");
         assert_eq!(asked, 0, "{boundary:?} {loaded}");
     }
+    the_bytes_that_check_prints_are_those_lent();
 }

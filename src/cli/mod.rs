@@ -83,9 +83,9 @@ struct Workbench {
     /// Teletype dialogue: no cursor, no colours
     #[arg(long)]
     plain: bool,
-    /// Number of threads
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=64))]
-    threads: u16,
+    /// Number of threads [default: as many as suit the scene's size, one processor left to the screen]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=64))]
+    threads: Option<u16>,
     /// For tests: panic at this cycle
     #[arg(long, value_name = "CYCLE", hide = true)]
     panic_at: Option<u64>,
@@ -169,8 +169,8 @@ struct Run {
         its own files and is left out of FILE.csv. --csv - prints FILE.csv and writes no other file."
     )]
     seeds: Option<Seeds>,
-    /// Number of threads; the result does not depend on it [default: 1; with --seeds as many as
-    /// there are processors]
+    /// Number of threads; the result does not depend on it [default: as many as suit the scene's
+    /// size; with --seeds as many as there are processors]
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=64))]
     threads: Option<u16>,
     /// Stop at this cycle

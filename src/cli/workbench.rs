@@ -6,6 +6,7 @@ use std::time::Duration;
 use super::output::{complain, load, tell, unopened};
 use super::sample::with_sample;
 use super::{BAD_INPUT, Workbench};
+use crate::engine::threads::{processors, suited};
 use crate::scene::Scene;
 use crate::scene::catalogue::PRESETS;
 use crate::session::RunError;
@@ -29,11 +30,13 @@ pub(super) fn open(options: &Workbench) -> u8 {
         ));
         return BAD_INPUT;
     }
-    let threads = usize::from(options.threads);
-    let scene = match with_sample(scene, threads, false) {
+    let threads = options.threads.map(usize::from);
+    let scene = match with_sample(scene, threads.unwrap_or_default(), false) {
         Ok(scene) => scene,
         Err(status) => return status,
     };
+    let others = processors().saturating_sub(1);
+    let threads = threads.unwrap_or_else(|| suited(scene.setup.particles.len(), others));
     if plain {
         return tell_end(dialogue(scene, threads));
     }

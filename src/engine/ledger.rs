@@ -45,6 +45,9 @@ struct Account {
     work: f64,
 }
 
+/// What the ledger keeps of each particle [bytes].
+pub(super) const BYTES_PER_PARTICLE: usize = size_of::<Account>();
+
 impl Account {
     fn add(&mut self, other: &Self) {
         for (sum, loss) in self.friction.iter_mut().zip(other.friction) {

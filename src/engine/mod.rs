@@ -6,6 +6,7 @@
 pub mod auto_step;
 pub mod bound;
 pub mod boundary;
+pub mod bytes;
 pub mod contact;
 pub mod contact_report;
 pub mod edit;

@@ -129,6 +129,19 @@ impl Particles {
         self.id.binary_search(&id).ok()
     }
 
+    /// Makes room for so many more.
+    pub(super) fn reserve(&mut self, count: usize) {
+        self.id.reserve_exact(count);
+        self.row.reserve_exact(count);
+        self.mobility.reserve_exact(count);
+        self.force.reserve_exact(count);
+        self.mass.reserve_exact(count);
+        self.inertia.reserve_exact(count);
+        self.material.reserve_exact(count);
+        self.applied.reserve_exact(count);
+        self.fixed.reserve_exact(count);
+    }
+
     /// Appends a particle under a number above all others.
     pub fn push(&mut self, id: u32, p: &ParticleSetup, origin: [f64; 2], mass: Inertia) {
         self.id.push(id);

@@ -29,8 +29,12 @@ pub(super) fn number(ids: &[u32], p: usize) -> u32 {
 
 impl World {
     /// Builds the world of a setup, particles numbered from 1, and evaluates its first forces.
+    #[expect(
+        clippy::needless_pass_by_value,
+        reason = "who builds from particles numbered anew has no use for them any more"
+    )]
     pub fn build(setup: Setup, threads: usize) -> Result<Self, Fault> {
-        Self::build_from(setup, &Brought::default(), threads)
+        Self::build_from(&setup, &Brought::default(), threads)
     }
 
     /// The particles as they are placed, with their numbers and the indices of their materials here:
@@ -102,6 +106,7 @@ impl World {
             return None;
         }
         self.cycle = 0;
+        self.contacts.made = 0;
         self.since = (0.0, 0);
         self.fracc = FraccMonitor::default();
         self.step_changes = StepChanges::default();

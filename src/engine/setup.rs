@@ -272,3 +272,16 @@ pub struct Setup {
     /// Whether energies are booked.
     pub ledger: bool,
 }
+
+impl Setup {
+    /// The same without particles and walls, of which there may be many.
+    pub(super) fn without_bodies(&self) -> Self {
+        Self {
+            particles: Vec::new(),
+            walls: Vec::new(),
+            materials: self.materials.clone(),
+            pairs: self.pairs.clone(),
+            ..*self
+        }
+    }
+}

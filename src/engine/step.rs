@@ -18,6 +18,14 @@ use super::wall_contact;
 /// Further than so many sizes of the scene from its middle, a particle is lost.
 const LOST: f64 = 1e4;
 
+/// A list that is measured goes on if less than this share of TOL is spent.
+const SPENT: f64 = 0.75;
+
+/// Cycles, and powers of two beyond, after which a list that lasts is asked whether it is too wide:
+/// it is if less than this share of it would be best.
+const LOOK_AFTER: u64 = 512;
+const WIDE: f64 = 0.5;
+
 impl World {
     /// One cycle: motion under the present forces, then the forces of the new positions. After a
     /// fault it does nothing but answer it again.
@@ -147,7 +155,7 @@ impl World {
         let (mut rows, mut pairs) = (&self.particles.row, &contacts.pairs);
         if flow.is_some() || cell.is_some() {
             let flow = flow.as_ref().map(|(rate, centre)| (rate, *centre));
-            self.seen.look(rows, flow, cell);
+            self.seen.look(rows, flow, cell, &self.threads);
             rows = &self.seen.rows;
         }
         if cell.is_some() {
@@ -172,7 +180,7 @@ impl World {
         Ok(())
     }
 
-    /// Makes the list again when something may have moved TOL/2 since it was made.
+    /// Makes the list again when something may have come nearer by TOL since it was made.
     fn find_neighbours(&mut self) -> Result<(), Fault> {
         let moved = self
             .walls
@@ -182,34 +190,53 @@ impl World {
         let drifted = self.drift_past_walls();
         let contacts = &mut self.contacts;
         contacts.wall_travel += (moved + drifted) * self.dt;
-        let made = contacts.rebuilds > 0;
-        let nearer = contacts.stretch * contacts.reach;
-        let apart = |particle: f64, wall: f64| (2.0 * particle).max(particle + wall) + nearer;
-        if made && apart(contacts.travel, contacts.wall_travel) < self.tol {
+        if contacts.rebuilds == 0 {
+            self.lost_particle()?;
+            self.relist();
             return Ok(());
         }
-        if made {
-            // The sum of largest speeds overestimates: look before searching.
-            contacts.travel = contacts.measured_travel(&self.particles);
-            if apart(contacts.travel, contacts.wall_travel) < 0.5 * self.tol {
-                return Ok(());
-            }
+        let chosen = self.model.tol.is_none();
+        let age = self.cycle.saturating_sub(contacts.made);
+        let due = chosen && age >= LOOK_AFTER && age.is_power_of_two();
+        if contacts.nearer() < self.tol && !due {
+            return Ok(());
+        }
+        // The sum of largest speeds overestimates: look before searching.
+        contacts.travel = contacts.measured_travel(&self.particles);
+        let usage = contacts.usage(self.tol, self.cycle);
+        let wide = due && usage.best() < WIDE * self.tol;
+        if usage.nearer < SPENT * self.tol && !wide {
+            return Ok(());
         }
         self.lost_particle()?;
-        self.relist();
+        if chosen {
+            self.tol = usage.next();
+        }
+        self.make_list(false);
         Ok(())
     }
 
-    /// Makes the list and carries the memory over.
+    /// Makes the list and carries the memory over; every contact is prepared again.
     pub(super) fn relist(&mut self) {
+        self.make_list(true);
+    }
+
+    /// Makes the list; `again`: every contact is prepared again, not only new ones.
+    fn make_list(&mut self, again: bool) {
         let mut pass = self.take_pass();
         let mut contacts = std::mem::take(&mut self.contacts);
-        let old = contacts.rebuild(&self.particles, &self.walls, self.cell(), self.tol);
+        let within = (self.cell(), self.tol);
+        let old = contacts.rebuild(&self.particles, &self.walls, within, &self.threads);
+        contacts.made = self.cycle;
         self.contacts = contacts;
         self.see();
-        pass.relist(&old, self.contacts.pairs.len(), self.room(), &|k| {
-            self.basis(k)
-        });
+        let (pairs, room) = (self.contacts.pairs.len(), self.room());
+        let basis = &|k: usize| self.basis(k);
+        if again {
+            pass.relist(&old, pairs, room, basis);
+        } else {
+            pass.follow(&old, pairs, room, basis);
+        }
         self.contacts.give_back(old);
         self.put_pass(pass);
     }

@@ -17,7 +17,7 @@ use super::particles::{Inertia, Mobility, Particles};
 use super::plan::Plan;
 use super::restart::{Brought, number};
 use super::setup::{Body, Gravity, Setup};
-use super::threads::Threads;
+use super::threads::{Threads, processors, suited};
 use super::time_step;
 use super::wall::Wall;
 
@@ -89,10 +89,12 @@ pub struct FraccMonitor {
 
 impl World {
     /// The same with what a sample brings besides its particles and walls.
-    pub fn build_from(setup: Setup, brought: &Brought, threads: usize) -> Result<Self, Fault> {
+    /// `threads` 0: as many as suit its size.
+    pub fn build_from(setup: &Setup, brought: &Brought, threads: usize) -> Result<Self, Fault> {
         let ids = brought.numbers.as_slice();
         let origin = far_origin(&setup.particles);
         let mut particles = Particles::default();
+        particles.reserve(setup.particles.len());
         for (p, particle) in setup.particles.iter().enumerate() {
             let density = setup.materials[particle.material].density;
             let mass = Inertia::of(setup.body, particle.radius, density);
@@ -103,7 +105,7 @@ impl World {
         let tol = setup.tol.unwrap_or(0.1 * smallest);
         let [low, high] = particles.extent();
         let size = (high[0] - low[0]).max(high[1] - low[1]).max(0.0) + 2.0 * smallest;
-        let pairs = PairTable::new(&setup);
+        let pairs = PairTable::new(setup);
         let rate = setup.strain_rate;
         let own = setup
             .boundary
@@ -138,13 +140,9 @@ impl World {
             seen: Seen::default(),
             loads: Vec::new(),
             pass: None,
-            threads: Threads::new(threads),
+            threads: team(threads, setup.particles.len()),
             isa: Isa::default(),
-            model: Setup {
-                particles: Vec::new(),
-                walls: Vec::new(),
-                ..setup
-            },
+            model: setup.without_bodies(),
         };
         world.join_walls();
         world.found_ring();
@@ -175,8 +173,9 @@ impl World {
     }
 
     /// After reading a checkpoint: what is not stored is made again. False if it does not fit.
+    /// `threads` 0: as many as suit its size.
     pub fn unpack(&mut self, threads: usize) -> bool {
-        self.threads = Threads::new(threads);
+        self.threads = team(threads, self.particles.len());
         let mut pass = self.plan().pass();
         let old = vec![u32::MAX; self.contacts.len()];
         pass.relist(&old, self.contacts.pairs.len(), self.room(), &|k| {
@@ -484,4 +483,12 @@ impl World {
             }
         }
     }
+}
+
+/// So many threads, or, for 0, as many as suit the particles.
+fn team(threads: usize, particles: usize) -> Threads {
+    Threads::new(match threads {
+        0 => suited(particles, processors()),
+        count => count,
+    })
 }

@@ -109,7 +109,7 @@ const KEYS: &[Key] = &[
         name: "tol",
         form: Form::Number(Bounds::POSITIVE),
         unit: "m",
-        absent: Absent::Said("a tenth of the smallest radius"),
+        absent: Absent::Said("a tenth of the smallest radius, then what motion makes best"),
         summary: "gap within which a pair is listed as neighbours (TOL)",
     },
 ];

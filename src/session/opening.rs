@@ -13,7 +13,7 @@ use crate::scene::{Generated, Scene};
 /// How a session is started.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Options {
-    /// Number of threads; 0: one.
+    /// Number of threads; 0: as many as suit the scene.
     pub threads: usize,
     /// Seed given instead of the preset's, for the journal.
     pub seed: Option<u64>,

@@ -179,7 +179,7 @@ impl Session {
                 journal.program
             ))
         })?;
-        if !world.unpack(threads.max(1)) {
+        if !world.unpack(threads) {
             return Err(RunError::Misfit(format!(
                 "{name}: its contact memory does not fit; it was written by version {}",
                 journal.program

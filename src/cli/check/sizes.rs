@@ -2,9 +2,8 @@
 
 use super::{Report, size};
 use crate::engine::World;
+use crate::engine::bytes::Bytes;
 use crate::engine::contact_report::Other;
-use crate::engine::neighbours::list::ContactList;
-use crate::engine::particles::{Mobility, Row, Sum};
 use crate::scene::Scene;
 use crate::session::figure::{figure, per_cent};
 
@@ -27,23 +26,17 @@ pub(super) fn describe(report: &mut Report, scene: &Scene, world: &World) {
     let (start, warning) = start(world);
     report.line("start", start);
     report.warnings.extend(warning);
-    let [contact, index] = ContactList::bytes();
-    let cold = size_of::<(u32, f64, f64, u16, [f64; 2], [bool; 3])>();
-    let body = if particles.body.is_empty() {
-        0
-    } else {
-        size_of::<[f64; 2]>()
-    };
-    let particle =
-        size_of::<Row>() + size_of::<Mobility>() + size_of::<Sum>() + index + body + cold;
-    let [law, memory, book] = world.pass().bytes();
-    let contact = contact + law + 2 * (memory + book);
+    let Bytes {
+        particle,
+        contact,
+        law,
+    } = world.bytes();
     let world_bytes = (particle * particles.len() + contact * list.len()) as f64;
     let row = 8 * (scene.history.columns.len() + 5);
     report.line(
         "memory",
         format!(
-            "about {} ({particle} B per particle, {contact} B per pair, {memory} B of them the law's \
+            "about {} ({particle} B per particle, {contact} B per pair, {law} B of them the law's \
              own), and {row} B per row of the history",
             size(world_bytes)
         ),

@@ -9,6 +9,7 @@ use super::{Ran, Watched, one};
 use crate::cli::crowd::Crowd;
 use crate::cli::output::{complain, print, speak_as, tell};
 use crate::cli::{BAD_INPUT, FAILED, Run};
+use crate::engine::threads::processors;
 use crate::record::interrupt::{Interrupt, Signal};
 use crate::record::whole_file;
 use crate::scene::{Scene, Seeds};
@@ -129,10 +130,6 @@ fn own(csv: &Path, seed: u64) -> PathBuf {
 fn file(options: &Run) -> Option<&Path> {
     let csv = options.csv.as_deref();
     csv.filter(|csv| csv.as_os_str() != "-")
-}
-
-fn processors() -> usize {
-    std::thread::available_parallelism().map_or(1, std::num::NonZero::get)
 }
 
 fn told(ran: Ran, signal: Option<Signal>) -> Member {

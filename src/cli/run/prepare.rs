@@ -104,7 +104,7 @@ fn begin(
 ) -> Result<Prepared, u8> {
     let (scene, replay) = read(name, journal, set)?;
     let how = Options {
-        threads: options.threads.map_or(1, usize::from),
+        threads: options.threads.map_or(0, usize::from),
         no_cache: options.no_cache,
         ..Options::default()
     };
@@ -144,7 +144,7 @@ fn resume(
         complain(&format!("{}: {message}", path.display()));
         BAD_INPUT
     };
-    let threads = options.threads.map_or(1, usize::from);
+    let threads = options.threads.map_or(0, usize::from);
     let session = Session::resume(path, threads).map_err(|error| {
         complain(&error.to_string());
         BAD_INPUT

@@ -202,9 +202,11 @@ impl World {
             let v = velocity(&rate, [x[0] - centre[0], x[1] - centre[1]]);
             [x[0] + v[0] * dt, x[1] + v[1] * dt]
         };
-        for row in &mut self.particles.row {
-            row.x = moved(row.x);
-        }
+        self.threads.each(&mut self.particles.row, |_, rows| {
+            for row in rows {
+                row.x = moved(row.x);
+            }
+        });
         self.contacts.carry_along(moved);
         // Neighbours come nearer by no more than this share of their distance.
         self.contacts.stretch += straining::size(&rate) * dt;

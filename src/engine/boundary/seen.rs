@@ -6,6 +6,7 @@
 use super::cell::{Cell, HERE, Image};
 use super::straining::{Tensor, velocity};
 use crate::engine::particles::Row;
+use crate::engine::threads::Threads;
 
 /// Rows that contacts read.
 #[derive(Debug, Clone, Default)]
@@ -14,9 +15,14 @@ pub(in crate::engine) struct Seen {
     pub(in crate::engine) rows: Vec<Row>,
     /// The two rows of each pair.
     pub(in crate::engine) pairs: Vec<[u32; 2]>,
-    /// Particle and shift of each image.
-    images: Vec<(u32, Image)>,
+    /// Particle and shift of each image, and the image of the same particle found before it.
+    images: Vec<(u32, Image, u32)>,
+    /// The last image of each particle.
+    last: Vec<u32>,
 }
+
+/// No image.
+const NONE: u32 = u32::MAX;
 
 impl Seen {
     /// The list was made anew: `images[k]` says where the second body of pair k is.
@@ -28,18 +34,23 @@ impl Seen {
     ) {
         self.images.clear();
         self.pairs.clear();
+        self.last.clear();
+        self.last.resize(particles, NONE);
         for (&[i, j], &image) in pairs.iter().zip(images) {
             if image == HERE {
                 self.pairs.push([i, j]);
                 continue;
             }
-            let wanted = (j, image);
-            let known = self.images.iter().rposition(|known| *known == wanted);
-            let place = known.unwrap_or_else(|| {
-                self.images.push(wanted);
-                self.images.len() - 1
-            });
-            self.pairs.push([i, (particles + place) as u32]);
+            let mut place = self.last[j as usize];
+            while place != NONE && self.images[place as usize].1 != image {
+                place = self.images[place as usize].2;
+            }
+            if place == NONE {
+                place = self.images.len() as u32;
+                self.images.push((j, image, self.last[j as usize]));
+                self.last[j as usize] = place;
+            }
+            self.pairs.push([i, particles as u32 + place]);
         }
         self.pairs.extend(pairs.iter().skip(images.len()));
     }
@@ -50,25 +61,32 @@ impl Seen {
         rows: &[Row],
         flow: Option<(&Tensor, [f64; 2])>,
         cell: Option<&Cell>,
+        threads: &Threads,
     ) {
-        self.rows.clear();
-        self.rows.extend_from_slice(rows);
-        if let Some((rate, centre)) = flow {
-            for row in &mut self.rows {
+        let images = if cell.is_some() { self.images.len() } else { 0 };
+        self.rows.resize(rows.len() + images, Row::default());
+        let (own, others) = self.rows.split_at_mut(rows.len());
+        threads.each(own, |first, seen| {
+            let rows = &rows[first..first + seen.len()];
+            let Some((rate, centre)) = flow else {
+                seen.copy_from_slice(rows);
+                return;
+            };
+            for (seen, row) in seen.iter_mut().zip(rows) {
                 let v = velocity(rate, [row.x[0] - centre[0], row.x[1] - centre[1]]);
-                row.v = [row.v[0] + v[0], row.v[1] + v[1]];
+                *seen = *row;
+                seen.v = [row.v[0] + v[0], row.v[1] + v[1]];
             }
-        }
+        });
         let Some(cell) = cell else { return };
-        for &(p, image) in &self.images {
-            let mut row = self.rows[p as usize];
+        for (seen, &(p, image, _)) in others.iter_mut().zip(&self.images) {
+            *seen = own[p as usize];
             let shift = cell.shift(image);
-            row.x = [row.x[0] + shift[0], row.x[1] + shift[1]];
+            seen.x = [seen.x[0] + shift[0], seen.x[1] + shift[1]];
             if let Some((rate, _)) = flow {
                 let v = velocity(rate, shift);
-                row.v = [row.v[0] + v[0], row.v[1] + v[1]];
+                seen.v = [seen.v[0] + v[0], seen.v[1] + v[1]];
             }
-            self.rows.push(row);
         }
     }
 }

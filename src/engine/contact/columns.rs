@@ -7,6 +7,7 @@
 use std::marker::PhantomData;
 
 use super::numbers::{Column, Reading, Writing, Written};
+use crate::engine::neighbours::carry::carry;
 
 /// More columns than this no law has.
 pub(super) const MOST: usize = 24;
@@ -35,15 +36,21 @@ impl Shared {
             self.each = false;
             self.numbers.clear();
             self.numbers.resize(WIDEST, number);
-        } else if !self.each && self.numbers[0].to_bits() != number.to_bits() {
+        }
+        self.differ(len, room, number);
+        if self.each {
+            self.numbers.push(number);
+        }
+    }
+
+    /// Gives each of `len` contacts its own number if a new one is not that of all.
+    fn differ(&mut self, len: usize, room: usize, number: f64) {
+        if !self.each && self.numbers[0].to_bits() != number.to_bits() {
             self.each = true;
             let same = self.numbers[0];
             self.numbers.clear();
             self.numbers.reserve(room);
             self.numbers.resize(len, same);
-        }
-        if self.each {
-            self.numbers.push(number);
         }
     }
 }
@@ -71,14 +78,50 @@ impl<L: Written<f64>> Parameters<L> {
 
     /// Appends the parameters of a contact; `room` contacts are kept ready for.
     pub(super) fn push(&mut self, law: L, room: usize) {
+        for (column, number) in self.columns.iter_mut().zip(Self::numbers(law)) {
+            column.push(self.len, room, number);
+        }
+        self.len += 1;
+    }
+
+    /// Follows the list: contact k stood `shift` places before `old[k]`, or is new and `fresh`.
+    pub(super) fn follow(
+        &mut self,
+        old: &[u32],
+        shift: u32,
+        room: usize,
+        fresh: impl Fn(usize) -> L,
+    ) {
+        if self.len == 0 {
+            for k in 0..old.len() {
+                self.push(fresh(k), room);
+            }
+            return;
+        }
+        for column in self.columns.iter_mut().filter(|column| column.each) {
+            carry(&mut column.numbers, old, shift, room, |_| 0.0);
+        }
+        let had = std::mem::replace(&mut self.len, old.len());
+        for (k, from) in old.iter().enumerate() {
+            if (from.wrapping_sub(shift) as usize) < had {
+                continue;
+            }
+            let numbers = Self::numbers(fresh(k));
+            for (column, number) in self.columns.iter_mut().zip(numbers) {
+                column.differ(self.len, room, number);
+                if column.each {
+                    column.numbers[k] = number;
+                }
+            }
+        }
+    }
+
+    fn numbers(law: L) -> [f64; MOST] {
         let mut numbers = [0.0; MOST];
         let columns: [Column; MOST] = std::array::from_fn(|k| Column::each(&mut numbers[k..=k]));
         // SAFETY: one number in each of MOST columns, for contact 0.
         law.give(true, &mut unsafe { Writing::at(columns.as_ptr(), 0) });
-        for (column, &number) in self.columns.iter_mut().zip(&numbers) {
-            column.push(self.len, room, number);
-        }
-        self.len += 1;
+        numbers
     }
 
     /// The columns, for the loop.

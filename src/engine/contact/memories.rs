@@ -7,6 +7,7 @@
 use super::columns::MOST;
 use super::memory::Memory;
 use super::numbers::{Column, Reading, Writing};
+use crate::engine::neighbours::carry::carry;
 
 /// One memory per contact.
 pub(super) struct Memories<M: Memory> {
@@ -33,21 +34,13 @@ impl<M: Memory> Memories<M> {
         self.whole.len()
     }
 
-    /// The memories that stood at `old` before, if they did.
-    pub(super) fn gather(&mut self, from: &Self, old: &[u32], room: usize) {
-        for (to, from) in self.columns.iter_mut().zip(&from.columns) {
-            to.clear();
-            to.reserve(room);
-            to.extend(
-                old.iter()
-                    .map(|&k| from.get(k as usize).copied().unwrap_or(0.0)),
-            );
+    /// Follows the list: the k-th contact stood at `old[k]` before, or is new.
+    pub(super) fn follow(&mut self, old: &[u32], room: usize) {
+        for column in &mut self.columns {
+            carry(column, old, 0, room, |_| 0.0);
         }
-        self.whole.clear();
         if Self::WHOLE {
-            self.whole.reserve(room);
-            let whole = |&k: &u32| from.whole.get(k as usize).copied().unwrap_or_default();
-            self.whole.extend(old.iter().map(whole));
+            carry(&mut self.whole, old, 0, room, |_| M::Whole::default());
         } else {
             self.whole.resize(old.len(), M::Whole::default());
         }

@@ -19,6 +19,7 @@ use super::memory::Memory;
 use super::quantities::{BasisOwned, Stiffness};
 use super::traction::Traction;
 use crate::engine::lanes::Isa;
+use crate::engine::neighbours::carry::carry;
 use crate::engine::neighbours::{Slot, Status};
 use crate::engine::particles::Row;
 use crate::engine::threads::{MAX_THREADS, Threads, share};
@@ -54,6 +55,14 @@ pub trait ContactPass: Send + Sync {
     /// The list changed: `old[k]` is where contact k stood before, `u32::MAX` if it is new. The first
     /// `pairs` are between particles. `room` is how many contacts memory is kept ready for.
     fn relist(
+        &mut self,
+        old: &[u32],
+        pairs: usize,
+        room: usize,
+        basis: &dyn Fn(usize) -> BasisOwned,
+    );
+    /// The same where nothing has changed that listed contacts were prepared from: old places ascend.
+    fn follow(
         &mut self,
         old: &[u32],
         pairs: usize,
@@ -105,8 +114,6 @@ pub struct Pass<L: Law, const BOOK: bool> {
     laws: [Parameters<L>; 2],
     memory: Memories<L::Memo>,
     book: Vec<Book>,
-    spare_memory: Memories<L::Memo>,
-    spare_book: Vec<Book>,
 }
 
 impl<L: Law, const BOOK: bool> Pass<L, BOOK> {
@@ -116,8 +123,6 @@ impl<L: Law, const BOOK: bool> Pass<L, BOOK> {
             laws: [Parameters::new(), Parameters::new()],
             memory: Memories::default(),
             book: Vec::new(),
-            spare_memory: Memories::default(),
-            spare_book: Vec::new(),
         }
     }
 
@@ -192,19 +197,25 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
         for laws in &mut self.laws {
             laws.clear();
         }
-        for k in 0..old.len() {
-            let laws = &mut self.laws[usize::from(k >= pairs)];
-            laws.push(L::prepare(&basis(k).lend(BOOK)), room);
-        }
-        self.spare_memory.gather(&self.memory, old, room);
+        self.follow(old, pairs, room, basis);
+    }
+
+    fn follow(
+        &mut self,
+        old: &[u32],
+        pairs: usize,
+        room: usize,
+        basis: &dyn Fn(usize) -> BasisOwned,
+    ) {
+        let prepare = |k: usize| L::prepare(&basis(k).lend(BOOK));
+        let [of_pairs, of_walls] = &mut self.laws;
+        let shift = of_pairs.len() as u32;
+        of_pairs.follow(&old[..pairs], 0, room, prepare);
+        of_walls.follow(&old[pairs..], shift, room, |w| prepare(pairs + w));
+        self.memory.follow(old, room);
         if BOOK {
-            self.spare_book.clear();
-            self.spare_book.reserve(room);
-            let book = |&k: &u32| self.book.get(k as usize).copied().unwrap_or_default();
-            self.spare_book.extend(old.iter().map(book));
+            carry(&mut self.book, old, 0, room, |_| Book::default());
         }
-        std::mem::swap(&mut self.memory, &mut self.spare_memory);
-        std::mem::swap(&mut self.book, &mut self.spare_book);
     }
 
     fn hand_over(&mut self, from: usize, to: usize) {

@@ -1,117 +1,185 @@
 //! Boxes: particles binned by centre, so that only near ones are compared.
+//!
+//! Particles of like size, within a factor of two, share a level of boxes as wide as the largest of
+//! them reach. One that looks for neighbours looks at the boxes around it on its own level and on
+//! the coarser ones: a ball among sand, or sizes over three decades, cost hardly more than equal ones.
 
-use crate::engine::particles::Row;
+use super::level::{BOXES_PER_PARTICLE, Level};
+use super::near::Near;
+
+/// A particle, or an image of one, in its box.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct Spot {
+    /// Centre [m].
+    pub(super) x: [f64; 2],
+    /// Radius [m].
+    pub(super) radius: f64,
+    /// Which one.
+    pub(super) index: u32,
+}
+
+impl Spot {
+    /// Whether the surfaces are nearer than `tol` [m].
+    #[inline(always)]
+    pub(super) fn is_near(&self, other: &Self, tol: f64) -> bool {
+        let d = [other.x[0] - self.x[0], other.x[1] - self.x[1]];
+        let reach = self.radius + other.radius + tol;
+        d[0] * d[0] + d[1] * d[1] < reach * reach
+    }
+}
 
 /// Boxes over the extent of the assembly. Buffers are kept between searches.
 #[derive(Debug, Default)]
-pub struct Grid {
+pub(super) struct Grid {
     low: [f64; 2],
-    size: f64,
-    columns: usize,
-    rows: usize,
-    /// First entry of each box in `members`.
+    /// What the smallest reach [m]: sizes are counted in doublings of it.
+    least: f64,
+    tol: f64,
+    /// Finest first, only those that somebody is on.
+    pub(super) levels: Vec<Level>,
+    /// Level of each number of doublings.
+    level: [u8; SIZES],
+    /// First member of each box, one further on.
     starts: Vec<u32>,
-    /// Particles box by box, ascending within a box.
-    members: Vec<u32>,
-    /// Box of each particle.
+    /// Box by box, ascending within a box.
+    members: Vec<Spot>,
     home: Vec<u32>,
 }
 
-/// At most so many boxes per particle: far-flung assemblies get larger boxes.
-const BOXES_PER_PARTICLE: f64 = 4.0;
+/// More doublings of the size than this share the last level.
+const SIZES: usize = 32;
+
+/// How many times over `least` the largest may reach and still share its boxes.
+const ALIKE: f64 = 1.5;
 
 impl Grid {
-    /// Bins the particles in boxes no smaller than `least` [m].
-    pub fn fill(&mut self, rows: &[Row], least: f64) {
-        let mut high = [f64::NEG_INFINITY; 2];
-        self.low = [f64::INFINITY; 2];
-        for row in rows {
-            self.low = [self.low[0].min(row.x[0]), self.low[1].min(row.x[1])];
-            high = [high[0].max(row.x[0]), high[1].max(row.x[1])];
-        }
-        let span = [high[0] - self.low[0], high[1] - self.low[1]];
-        let limit = BOXES_PER_PARTICLE * rows.len() as f64 + 16.0;
-        self.size = least;
-        while (span[0] / self.size + 1.0) * (span[1] / self.size + 1.0) > limit {
-            self.size *= 2.0;
-        }
-        self.columns = (span[0] / self.size) as usize + 1;
-        self.rows = (span[1] / self.size) as usize + 1;
+    /// Bytes per particle: its spot, its home and room for the boxes it may be given.
+    pub(super) const BYTES: usize =
+        size_of::<Spot>() + size_of::<u32>() + BOXES_PER_PARTICLE * size_of::<u32>();
+
+    /// Bins so many spots, of which `spot` answers each; pairs nearer than `tol` [m] can then be found.
+    pub(super) fn fill(&mut self, count: usize, tol: f64, spot: impl Fn(usize) -> Spot) {
+        self.lay(count, tol, &spot);
+        let boxes = self.levels.last().map_or(0, Level::end);
         self.starts.clear();
-        // As many as there may be, whatever shape the assembly takes.
-        self.starts.reserve(limit as usize + 2);
-        self.starts.resize(self.columns * self.rows + 1, 0);
+        self.starts.resize(boxes + 2, 0);
         self.home.clear();
-        for row in rows {
-            let cell = self.cell(row.x);
-            self.home.push(cell as u32);
-            self.starts[cell + 1] += 1;
+        for k in 0..count {
+            let Spot { x, radius, .. } = spot(k);
+            let home = self.levels[self.level_of(radius)].cell(self.low, x);
+            self.home.push(home as u32);
+            self.starts[home + 1] += 1;
         }
         for cell in 1..self.starts.len() {
             self.starts[cell] += self.starts[cell - 1];
         }
         self.members.clear();
-        self.members.resize(rows.len(), 0);
-        for (p, &cell) in self.home.iter().enumerate().rev() {
+        self.members.resize(count, Spot::default());
+        for k in (0..count).rev() {
             // Filled from the back: `starts` ends up at the beginning of each box.
-            let end = &mut self.starts[cell as usize + 1];
+            let end = &mut self.starts[self.home[k] as usize + 1];
             *end -= 1;
-            self.members[*end as usize] = p as u32;
+            self.members[*end as usize] = spot(k);
         }
-        self.starts.remove(0);
-        self.starts.push(rows.len() as u32);
     }
 
-    fn cell(&self, x: [f64; 2]) -> usize {
-        let along =
-            |k: usize, count: usize| (((x[k] - self.low[k]) / self.size) as usize).min(count - 1);
-        along(1, self.rows) * self.columns + along(0, self.columns)
-    }
-
-    /// Calls `near` with every particle in the boxes around particle p, itself included.
-    pub fn around(&self, p: usize, mut near: impl FnMut(usize)) {
-        let home = self.home[p] as usize;
-        let (column, row) = (home % self.columns, home / self.columns);
-        let left = column.saturating_sub(1);
-        let right = (column + 1).min(self.columns - 1);
-        for y in row.saturating_sub(1)..=(row + 1).min(self.rows - 1) {
-            let first = self.starts[y * self.columns + left] as usize;
-            let last = self.starts[y * self.columns + right + 1] as usize;
-            for &q in &self.members[first..last] {
-                near(q as usize);
+    /// Lays the levels.
+    fn lay(&mut self, count: usize, tol: f64, spot: &impl Fn(usize) -> Spot) {
+        let mut high = [f64::NEG_INFINITY; 2];
+        self.low = [f64::INFINITY; 2];
+        let (mut least, mut most) = (f64::INFINITY, 0.0f64);
+        for k in 0..count {
+            let Spot { x, radius, .. } = spot(k);
+            self.low = [self.low[0].min(x[0]), self.low[1].min(x[1])];
+            high = [high[0].max(x[0]), high[1].max(x[1])];
+            (least, most) = (least.min(radius), most.max(radius));
+        }
+        let span = [high[0] - self.low[0], high[1] - self.low[1]];
+        (self.tol, self.least) = (tol, 2.0 * least + tol);
+        self.levels.clear();
+        let alike = 2.0 * most + tol <= ALIKE * self.least;
+        if alike {
+            self.least = 2.0 * most + tol;
+        }
+        // How many there are of each size, and the largest radius among them.
+        let mut sizes = [(0, 0.0f64); SIZES];
+        if alike {
+            sizes[0] = (count, most);
+        } else {
+            for k in 0..count {
+                let radius = spot(k).radius;
+                let size = &mut sizes[self.doublings(radius)];
+                *size = (size.0 + 1, size.1.max(radius));
             }
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use proptest::prelude::*;
-
-    proptest! {
-        #[test]
-        fn finds_what_comparing_all_pairs_finds(
-            points in prop::collection::vec((-1.0..1.0f64, -0.2..0.2f64), 1..80),
-        ) {
-            let reach = 0.11;
-            let rows: Vec<Row> = points
-                .iter()
-                .map(|&(x, y)| Row { x: [x, y], ..Row::default() })
-                .collect();
-            let mut grid = Grid::default();
-            grid.fill(&rows, reach);
-            let close = |p: usize, q: usize| {
-                let d = [rows[p].x[0] - rows[q].x[0], rows[p].x[1] - rows[q].x[1]];
-                d[0] * d[0] + d[1] * d[1] < reach * reach
-            };
-            for p in 0..rows.len() {
-                let mut found = Vec::new();
-                grid.around(p, |q| if close(p, q) { found.push(q) });
-                found.sort_unstable();
-                let all: Vec<usize> = (0..rows.len()).filter(|&q| close(p, q)).collect();
-                prop_assert_eq!(found, all);
-            }
+        let mut first = 0;
+        for (size, &(count, largest)) in sizes.iter().enumerate().filter(|(_, size)| size.0 > 0) {
+            let level = Level::new(first, span, count, largest, tol);
+            first = level.end();
+            self.level[size] = self.levels.len() as u8;
+            self.levels.push(level);
         }
+        // As many as there may be, whatever shape the assembly takes.
+        let limit: usize = sizes.iter().map(|size| Level::limit(size.0)).sum();
+        self.starts.reserve(limit + 2);
+    }
+
+    /// How often the reach of the smallest doubles to come near that of a particle.
+    #[inline(always)]
+    fn doublings(&self, radius: f64) -> usize {
+        let ratio = (2.0 * radius + self.tol) / self.least;
+        // The exponent of a number that is one or, by a hair, less.
+        let exponent = (ratio.to_bits() >> 52).saturating_sub(1023) as usize;
+        exponent.min(SIZES - 1)
+    }
+
+    /// The level that particles of this radius [m] are on.
+    #[inline(always)]
+    pub(super) fn level_of(&self, radius: f64) -> usize {
+        usize::from(self.level[self.doublings(radius)])
+    }
+
+    /// Notes everything on a level that is nearer to a spot than `tol` [m] and has at least this index.
+    #[inline(always)]
+    pub(super) fn gather(&self, level: usize, a: &Spot, least: u32, near: &mut Near) {
+        let level = &self.levels[level];
+        let [column, row] = level.place(self.low, a.x);
+        let columns = column.saturating_sub(1)..=(column + 1).min(level.columns - 1);
+        for y in row.saturating_sub(1)..=(row + 1).min(level.rows - 1) {
+            near.take(self.row(level, y, columns.clone()), |b| {
+                (b.index >= least) & a.is_near(b, self.tol)
+            });
+        }
+    }
+
+    /// Calls `near` with everything on a level whose box comes within `margin` [m] of a stretch of a
+    /// line, `ends` being the multiples of the direction at which it begins and ends.
+    pub(super) fn along(
+        &self,
+        level: &Level,
+        [point, direction]: [[f64; 2]; 2],
+        ends: [f64; 2],
+        margin: f64,
+        mut near: impl FnMut(&Spot),
+    ) {
+        level.along(
+            self.low,
+            [point, direction],
+            ends,
+            margin,
+            |row, columns| {
+                self.row(level, row, columns).iter().for_each(&mut near);
+            },
+        );
+    }
+
+    /// The members of neighbouring boxes of a row.
+    #[inline(always)]
+    fn row(&self, level: &Level, row: usize, columns: std::ops::RangeInclusive<usize>) -> &[Spot] {
+        let first = level.first + row * level.columns;
+        let from = self.starts[first + columns.start() + 1] as usize;
+        // The box after the last one of a level is the first of the next.
+        let to = self.starts.get(first + columns.end() + 2);
+        &self.members[from..to.map_or(self.members.len(), |to| *to as usize)]
     }
 }

@@ -2,17 +2,19 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::carry::{NEW, carry, match_sorted};
 use super::grid::Grid;
+use super::party::Party;
 use super::periodic::Tiling;
+use super::search;
+use super::skin::Use;
 use super::whose::Whose;
 use super::{Slot, Status};
 use crate::engine::boundary::cell::{Cell, HERE, Image};
 use crate::engine::particles::{Particles, Row};
+use crate::engine::threads::Threads;
 use crate::engine::wall::Wall;
-use crate::engine::wall_contact::{self, WallPair, WallTouch};
-
-/// No place in the old list.
-pub(in crate::engine) const NEW: u32 = u32::MAX;
+use crate::engine::wall_contact::{WallPair, WallTouch};
 
 /// All pairs within TOL of touching, particle pairs first, then particle-wall pairs.
 #[derive(Debug, Default, Serialize, Deserialize)]
@@ -33,6 +35,8 @@ pub struct ContactList {
     whose: Whose,
     /// Centres when the list was made.
     reference: Vec<[f64; 2]>,
+    /// Three points of the plane then, and where the imposed flow has taken them since.
+    frame: [[[f64; 2]; 3]; 2],
     /// No particle has moved further since then [m].
     pub travel: f64,
     /// No point of a wall near the assembly has moved further since then [m].
@@ -41,6 +45,10 @@ pub struct ContactList {
     pub(in crate::engine) stretch: f64,
     /// Largest distance of centres in the list [m].
     pub(in crate::engine) reach: f64,
+    /// Sum of squares over sum of radii [m].
+    pub(in crate::engine) radius: f64,
+    /// Cycle in which the list was made.
+    pub(in crate::engine) made: u64,
     /// Times the list was made.
     pub rebuilds: u64,
     /// Whether any contact resists rolling.
@@ -57,42 +65,9 @@ pub struct ContactList {
 struct Work {
     grid: Grid,
     tiling: Tiling,
-    pairs: Vec<[u32; 2]>,
-    images: Vec<Image>,
+    party: Party,
     walls: Vec<WallPair>,
-    slots: Vec<Slot>,
-    status: Vec<Status>,
-    touches: Vec<WallTouch>,
     old: Vec<u32>,
-}
-
-impl Work {
-    fn pairs(&mut self, rows: &[Row], largest: f64, tol: f64) {
-        self.grid.fill(rows, 2.0 * largest + tol);
-        for p in 0..rows.len() {
-            let first = self.pairs.len();
-            let (a, pairs) = (&rows[p], &mut self.pairs);
-            self.grid.around(p, |q| {
-                let b = &rows[q];
-                let d = [b.x[0] - a.x[0], b.x[1] - a.x[1]];
-                let reach = a.radius + b.radius + tol;
-                if p < q && d[0] * d[0] + d[1] * d[1] < reach * reach {
-                    pairs.push([p as u32, q as u32]);
-                }
-            });
-            self.pairs[first..].sort_unstable();
-        }
-    }
-
-    fn periodic_pairs(&mut self, rows: &[Row], cell: &Cell, largest: f64, tol: f64) {
-        let (pairs, images) = (&mut self.pairs, &mut self.images);
-        let sizes = [largest, tol];
-        self.tiling
-            .pairs(&mut self.grid, cell, rows, sizes, |pair, image| {
-                pairs.push(pair);
-                images.push(image);
-            });
-    }
 }
 
 impl ContactList {
@@ -118,39 +93,35 @@ impl ContactList {
         &mut self,
         particles: &Particles,
         walls: &[Wall],
-        cell: Option<&Cell>,
-        tol: f64,
+        (cell, tol): (Option<&Cell>, f64),
+        threads: &Threads,
     ) -> Vec<u32> {
         let rows = &particles.row;
-        let largest = rows.iter().fold(0.0, |most: f64, row| most.max(row.radius));
+        let (mut largest, mut sum, mut squares) = (0.0f64, 0.0, 0.0);
+        for &Row { radius, .. } in rows {
+            largest = largest.max(radius);
+            (sum, squares) = (sum + radius, squares + radius * radius);
+        }
         let work = &mut self.work;
-        work.pairs.clear();
-        work.images.clear();
-        work.walls.clear();
         let [pairs, at_walls] = Self::room(rows.len());
-        work.pairs.reserve(pairs);
+        work.walls.clear();
         work.walls.reserve(at_walls);
-        match cell {
-            None => work.pairs(rows, largest, tol),
+        let (grid, party, within) = (&mut work.grid, &mut work.party, (tol, pairs));
+        // In a periodic cell the boxes have what strayed at home.
+        let boxes = match cell {
+            None => {
+                search::pairs(grid, rows, within, party, threads);
+                Some(&*grid)
+            }
             Some(cell) => {
-                work.images.reserve(pairs);
-                work.periodic_pairs(rows, cell, largest, tol);
+                let all = (rows.as_slice(), cell);
+                work.tiling.pairs(grid, all, within, party, threads);
+                None
             }
-        }
-        for (p, a) in rows.iter().enumerate() {
-            for (w, wall) in walls.iter().enumerate() {
-                if wall_contact::distance(wall, a.x) < a.radius + tol {
-                    let side = wall_contact::side(wall, a.x);
-                    work.walls.push(WallPair {
-                        particle: p as u32,
-                        wall: w as u32,
-                        side,
-                    });
-                }
-            }
-        }
+        };
+        search::wall_pairs(boxes, rows, walls, tol, &mut work.walls);
         self.carry_over([pairs, at_walls]);
-        let room = Self::room(rows.len());
+        let room = [pairs, at_walls];
         self.whose.note(rows.len(), &self.pairs, &self.walls, room);
         self.reference.clear();
         self.reference.extend(rows.iter().map(|row| row.x));
@@ -158,9 +129,12 @@ impl ContactList {
         self.wall_travel = 0.0;
         self.stretch = 0.0;
         self.reach = 2.0 * largest + tol;
+        self.radius = squares / sum;
         let [low, high] = particles.extent();
         let margin = largest + 2.0 * tol;
-        self.span = [low.map(|x| x - margin), high.map(|x| x + margin)];
+        let [low, high] = [low.map(|x| x - margin), high.map(|x| x + margin)];
+        self.span = [low, high];
+        self.frame = [[low, [high[0], low[1]], [low[0], high[1]]]; 2];
         self.rebuilds += 1;
         std::mem::take(&mut self.work.old)
     }
@@ -173,18 +147,18 @@ impl ContactList {
     /// Slots, status and sides of contacts that were listed before stay what they are.
     fn carry_over(&mut self, [pairs, at_walls]: [usize; 2]) {
         let work = &mut self.work;
+        let found = work.party.found();
         work.old.clear();
         work.old.reserve(pairs + at_walls);
         let meant = |pairs: &[[u32; 2]], images: &[Image], k: usize| {
             (pairs[k], images.get(k).copied().unwrap_or(HERE))
         };
         match_sorted(
-            [self.pairs.len(), work.pairs.len()],
+            [self.pairs.len(), found.pairs.len()],
             |k| meant(&self.pairs, &self.images, k),
-            |k| meant(&work.pairs, &work.images, k),
+            |k| meant(&found.pairs, &found.images, k),
             &mut work.old,
         );
-        let shift = self.pairs.len() as u32;
         let from = work.old.len();
         match_sorted(
             [self.walls.len(), work.walls.len()],
@@ -192,37 +166,25 @@ impl ContactList {
             |k| [work.walls[k].particle, work.walls[k].wall],
             &mut work.old,
         );
-        work.slots.clear();
-        work.status.clear();
-        work.touches.clear();
-        work.slots.reserve(pairs + at_walls);
-        work.status.reserve(pairs + at_walls);
-        work.touches.reserve(at_walls);
-        for old in &mut work.old[from..] {
-            if *old != NEW {
-                *old += shift;
-            }
-        }
-        for &old in &work.old {
-            work.slots
-                .push(self.slots.get(old as usize).copied().unwrap_or_default());
-            work.status
-                .push(self.status.get(old as usize).copied().unwrap_or_default());
-        }
         for (pair, &old) in work.walls.iter_mut().zip(&work.old[from..]) {
-            let before = (old != NEW).then(|| (old - shift) as usize);
-            work.touches
-                .push(before.map(|k| self.touches[k]).unwrap_or_default());
-            if let Some(k) = before {
-                pair.side = self.walls[k].side;
+            if let Some(before) = self.walls.get(old as usize) {
+                pair.side = before.side;
             }
         }
-        std::mem::swap(&mut self.pairs, &mut work.pairs);
-        std::mem::swap(&mut self.images, &mut work.images);
+        let at_wall = &work.old[from..];
+        carry(&mut self.touches, at_wall, 0, at_walls, |_| {
+            WallTouch::default()
+        });
+        let shift = self.pairs.len() as u32;
+        for old in work.old[from..].iter_mut().filter(|old| **old != NEW) {
+            *old += shift;
+        }
+        let room = pairs + at_walls;
+        carry(&mut self.slots, &work.old, 0, room, |_| Slot::default());
+        carry(&mut self.status, &work.old, 0, room, |_| Status::default());
+        std::mem::swap(&mut self.pairs, &mut found.pairs);
+        std::mem::swap(&mut self.images, &mut found.images);
         std::mem::swap(&mut self.walls, &mut work.walls);
-        std::mem::swap(&mut self.slots, &mut work.slots);
-        std::mem::swap(&mut self.status, &mut work.status);
-        std::mem::swap(&mut self.touches, &mut work.touches);
     }
 
     /// Contact numbers of a particle, and whether it is the second body there: ascending partners,
@@ -239,25 +201,54 @@ impl ContactList {
         &self.whose
     }
 
-    /// Takes the centres that travel is measured from along with an imposed flow.
+    /// Takes the centres that travel is measured from along with an imposed flow: a linear one, so
+    /// three points say where all of them are.
     pub(in crate::engine) fn carry_along(&mut self, moved: impl Fn([f64; 2]) -> [f64; 2]) {
-        for x in &mut self.reference {
-            *x = moved(*x);
-        }
+        self.frame[1] = self.frame[1].map(moved);
     }
 
     /// Furthest that any particle really moved since the list was made, but for the imposed flow [m].
     pub fn measured_travel(&self, particles: &Particles) -> f64 {
-        let square =
-            particles
-                .row
-                .iter()
-                .zip(&self.reference)
-                .fold(0.0, |most: f64, (row, old)| {
-                    let d = [row.x[0] - old[0], row.x[1] - old[1]];
-                    most.max(d[0] * d[0] + d[1] * d[1])
-                });
+        let [old, new] = &self.frame;
+        let size = [old[1][0] - old[0][0], old[2][1] - old[0][1]];
+        let still = old == new;
+        let carried = |x: [f64; 2]| {
+            if still {
+                return x;
+            }
+            let share = [0, 1].map(|k| (x[k] - old[0][k]) / size[k]);
+            [0, 1].map(|k| {
+                let along = [new[1][k] - new[0][k], new[2][k] - new[0][k]];
+                new[0][k] + share[0] * along[0] + share[1] * along[1]
+            })
+        };
+        let mut square = 0.0f64;
+        for (row, old) in particles.row.iter().zip(&self.reference) {
+            let old = carried(*old);
+            let d = [row.x[0] - old[0], row.x[1] - old[1]];
+            square = square.max(d[0] * d[0] + d[1] * d[1]);
+        }
         square.sqrt()
+    }
+
+    /// How much nearer two particles, or a particle and a wall, can have come since the list was made
+    /// [m].
+    pub(in crate::engine) fn nearer(&self) -> f64 {
+        let (particle, wall) = (self.travel, self.wall_travel);
+        (2.0 * particle).max(particle + wall) + self.stretch * self.reach
+    }
+
+    /// How the list was used in the cycles up to this one.
+    pub(in crate::engine) fn usage(&self, tol: f64, cycle: u64) -> Use {
+        let apart = |status: &&Status| **status == Status::Apart;
+        Use {
+            tol,
+            nearer: self.nearer(),
+            cycles: cycle.saturating_sub(self.made),
+            apart: self.status.iter().filter(apart).count(),
+            particles: self.reference.len(),
+            radius: self.radius,
+        }
     }
 
     /// Drops the contacts of particle p and renumbers those above it, as the particle is removed.
@@ -308,13 +299,20 @@ impl ContactList {
             .collect()
     }
 
-    /// Bytes of the list per contact and per particle, buffers included.
-    pub fn bytes() -> [usize; 2] {
-        let contact = size_of::<[u32; 2]>() + size_of::<Slot>() + size_of::<Status>();
-        [
-            2 * (contact + size_of::<u32>()),
-            size_of::<[f64; 2]>() + 4 * size_of::<u32>(),
-        ]
+    /// Bytes of the list per contact and per particle, buffers included, in a periodic cell or not.
+    pub(in crate::engine) fn bytes(cell: bool) -> [usize; 2] {
+        let [pair, image] = [size_of::<[u32; 2]>(), size_of::<Image>()];
+        // Two lists of pairs; the old place of each, and its second body's way to it.
+        let words = 2 * size_of::<u32>();
+        let contact = 2 * pair + size_of::<Slot>() + size_of::<Status>() + words;
+        let particle = size_of::<[f64; 2]>() + Whose::BYTES + Grid::BYTES;
+        if cell {
+            // Pairs as they are seen; the last image of each particle.
+            let tiling = size_of::<u32>() + Tiling::BYTES;
+            [contact + 2 * image + pair, particle + tiling]
+        } else {
+            [contact, particle]
+        }
     }
 }
 
@@ -325,36 +323,4 @@ fn chosen<T: Copy>(items: &[T], keep: &[bool]) -> Vec<T> {
         .filter(|(_, keep)| **keep)
         .map(|(item, _)| *item)
         .collect()
-}
-
-/// For each of the sorted new items, its place among the sorted old ones, or [`NEW`].
-fn match_sorted<K: Ord>(
-    [old, new]: [usize; 2],
-    old_key: impl Fn(usize) -> K,
-    new_key: impl Fn(usize) -> K,
-    places: &mut Vec<u32>,
-) {
-    let mut k = 0;
-    for item in 0..new {
-        let wanted = new_key(item);
-        while k < old && old_key(k) < wanted {
-            k += 1;
-        }
-        let found = k < old && old_key(k) == wanted;
-        places.push(if found { k as u32 } else { NEW });
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn places_are_found_by_walking() {
-        let mut places = Vec::new();
-        let old = [[0, 1], [0, 3], [2, 5]];
-        let new = [[0, 2], [0, 3], [2, 5], [3, 4]];
-        match_sorted([3, 4], |k| old[k], |k| new[k], &mut places);
-        assert_eq!(places, [NEW, 1, 2, NEW]);
-    }
 }

@@ -1,11 +1,18 @@
-//! Who may touch whom: pairs nearer than TOL, found with boxes, kept until something moved TOL/2.
+//! Who may touch whom: pairs nearer than TOL, found with boxes, kept until TOL is spent.
 //!
 //! Cundall's halo of 1976 (Randall 1989, 4.1). The list is sorted by particle, so contact memory
-//! is carried over by walking old and new list side by side.
+//! is carried over by walking old and new list side by side, within its own buffers.
 
-pub mod grid;
+pub(super) mod carry;
+mod found;
+mod grid;
+mod level;
 pub mod list;
+mod near;
+mod party;
 mod periodic;
+mod search;
+pub(super) mod skin;
 mod whose;
 
 use serde::{Deserialize, Serialize};

@@ -1,39 +1,51 @@
 //! The pairs of a periodic cell: every particle at home with the images of all others around it.
 
-use super::grid::Grid;
+use super::grid::{Grid, Spot};
+use super::near::sort_few;
+use super::party::{Party, Searcher};
 use crate::engine::boundary::cell::{Cell, HERE, Image};
 use crate::engine::particles::Row;
+use crate::engine::threads::Threads;
 
 /// Particles at home and, after them, the images near the cell. Buffers are kept between searches.
 #[derive(Debug, Default)]
 pub(super) struct Tiling {
-    rows: Vec<Row>,
-    /// Particle of each row, and its shift from home.
-    of: Vec<(u32, Image)>,
+    /// Centres of the particles brought home, then of the images [m].
+    at: Vec<[f64; 2]>,
+    /// Particle and shift of each image.
+    images: Vec<(u32, Image)>,
     /// Which image of the cell each particle has strayed to.
     strayed: Vec<Image>,
-    near: Vec<(u32, Image)>,
 }
 
 impl Tiling {
-    /// Tiles the surroundings of the cell as far as `reach` [m] with images.
-    fn lay(&mut self, cell: &Cell, rows: &[Row], reach: f64) {
-        self.rows.clear();
-        self.of.clear();
+    /// Bytes per particle.
+    pub(super) const BYTES: usize = size_of::<[f64; 2]>() + size_of::<Image>();
+
+    /// Tiles the surroundings of the cell with images, as far as anyone at home within `tol` [m] of
+    /// them can be: that depends on the sizes of both.
+    fn lay(&mut self, cell: &Cell, rows: &[Row], tol: f64) {
+        self.at.clear();
+        self.images.clear();
         self.strayed.clear();
-        for (p, row) in rows.iter().enumerate() {
+        let mut largest = 0.0f64;
+        for row in rows {
             let image = cell.image(row.x);
             let shift = cell.shift(image);
             self.strayed.push(image);
-            self.of.push((p as u32, HERE));
-            let x = [row.x[0] - shift[0], row.x[1] - shift[1]];
-            self.rows.push(Row { x, ..*row });
+            self.at.push([row.x[0] - shift[0], row.x[1] - shift[1]]);
+            largest = largest.max(row.radius);
         }
-        let margin = cell.widths().map(|width| reach / width);
-        let [across, along] = margin.map(|margin| margin.ceil() as i16);
-        for p in 0..rows.len() {
-            let home = self.rows[p];
-            let fractions = cell.fractions(home.x);
+        let widths = cell.widths();
+        for (p, row) in rows.iter().enumerate() {
+            let home = self.at[p];
+            let fractions = cell.fractions(home);
+            let margin = widths.map(|width| (row.radius + largest + tol) / width);
+            let reach = |k: usize| {
+                let inside = margin[k] <= fractions[k] && fractions[k] <= 1.0 - margin[k];
+                if inside { 0 } else { margin[k].ceil() as i16 }
+            };
+            let [across, along] = [reach(0), reach(1)];
             for n in -across..=across {
                 for m in -along..=along {
                     let at = [fractions[0] + f64::from(n), fractions[1] + f64::from(m)];
@@ -42,51 +54,78 @@ impl Tiling {
                         continue;
                     }
                     let shift = cell.shift([n, m]);
-                    let x = [home.x[0] + shift[0], home.x[1] + shift[1]];
-                    self.of.push((p as u32, [n, m]));
-                    self.rows.push(Row { x, ..home });
+                    self.at.push([home[0] + shift[0], home[1] + shift[1]]);
+                    self.images.push((p as u32, [n, m]));
                 }
             }
         }
     }
 
-    /// Calls `found` with each pair nearer than `tol` [m]: ascending particles, ascending partners,
-    /// each with the image of the second body that is meant.
+    /// Finds each pair nearer than `tol` [m]: ascending particles, ascending partners, each with the
+    /// image of the second body that is meant.
     pub(super) fn pairs(
         &mut self,
         grid: &mut Grid,
-        cell: &Cell,
-        rows: &[Row],
-        [largest, tol]: [f64; 2],
-        mut found: impl FnMut([u32; 2], Image),
+        (rows, cell): (&[Row], &Cell),
+        (tol, room): (f64, usize),
+        party: &mut Party,
+        threads: &Threads,
     ) {
-        let reach = 2.0 * largest + tol;
-        self.lay(cell, rows, reach);
-        grid.fill(&self.rows, reach);
-        for (p, a) in rows.iter().enumerate() {
-            let near = &mut self.near;
-            near.clear();
-            let home = self.strayed[p];
-            let (all, of, strayed) = (&self.rows, &self.of, &self.strayed);
-            grid.around(p, |q| {
-                let (j, shift) = of[q];
-                let d = [all[q].x[0] - all[p].x[0], all[q].x[1] - all[p].x[1]];
-                let within = a.radius + all[q].radius + tol;
-                if d[0] * d[0] + d[1] * d[1] >= within * within {
-                    return;
+        self.lay(cell, rows, tol);
+        let Self {
+            at,
+            images,
+            strayed,
+        } = self;
+        // Particle and shift from home of what is in the boxes.
+        let meant = |k: u32| {
+            let image = (k as usize).checked_sub(rows.len());
+            image.map_or((k, HERE), |image| images[image])
+        };
+        let spot = |k: usize| Spot {
+            x: at[k],
+            radius: rows[meant(k as u32).0 as usize].radius,
+            index: k as u32,
+        };
+        grid.fill(at.len(), tol, spot);
+        let levels = grid.levels.len();
+        party.search(rows.len(), room, [true, levels > 1], threads, |searcher| {
+            let Searcher {
+                stretch,
+                near,
+                partners,
+                found,
+            } = searcher;
+            for p in stretch.clone() {
+                let (a, home) = (spot(p), strayed[p]);
+                partners.clear();
+                let own = grid.level_of(a.radius);
+                for level in own..levels {
+                    near.clear();
+                    // On the own level the other one looks, too.
+                    let least = if level > own { 0 } else { a.index + 1 };
+                    grid.gather(level, &a, least, near);
+                    for &k in near.indices() {
+                        let (j, shift) = meant(k);
+                        let away = strayed[j as usize];
+                        let image = [0, 1].map(|k| shift[k] - away[k] + home[k]);
+                        // A particle and its own image meet in two places that are one contact.
+                        if level > own || a.index < j || (a.index == j && image > HERE) {
+                            partners.push((j, image));
+                        }
+                    }
                 }
-                let away = strayed[j as usize];
-                let image = [0, 1].map(|k| shift[k] - away[k] + home[k]);
-                // A particle and its own image meet in two places that are one contact.
-                if (p as u32) < j || (p as u32 == j && image > HERE) {
-                    near.push((j, image));
+                sort_few(partners);
+                // Backwards, so that turned round the images of one partner ascend.
+                for &(j, image) in partners.iter().rev().filter(|(j, _)| *j < a.index) {
+                    found.late([j, a.index], image.map(|n| -n));
                 }
-            });
-            near.sort_unstable();
-            for &(j, image) in &self.near {
-                found([p as u32, j], image);
+                for &(j, image) in partners.iter().filter(|(j, _)| *j >= a.index) {
+                    found.pairs.push([a.index, j]);
+                    found.images.push(image);
+                }
             }
-        }
+        });
     }
 }
 
@@ -97,36 +136,46 @@ mod tests {
 
     proptest! {
         /// Against all images of all pairs in a wide neighbourhood, for cells that lean, are smaller
-        /// than the reach, and particles that have strayed.
+        /// than the reach, and particles of very different sizes that have strayed.
         #[test]
         fn finds_what_comparing_all_images_finds(
-            points in prop::collection::vec((-3.0..3.0f64, -3.0..3.0f64), 1..8),
+            points in prop::collection::vec((-3.0..3.0f64, -3.0..3.0f64, 0..4i32), 1..8),
             lean in -0.7..0.7f64,
             height in 0.3..1.5f64,
         ) {
             let cell = Cell { corner: [-0.2, 0.1], edges: [[1.0, 0.0], [lean, height]] };
-            let row = |&(x, y): &(f64, f64)| Row { x: [x, y], radius: 0.2, ..Row::default() };
+            let row = |&(x, y, halved): &(f64, f64, i32)| Row {
+                x: [x, y],
+                radius: libm::ldexp(0.2, -2 * halved),
+                ..Row::default()
+            };
             let rows: Vec<Row> = points.iter().map(row).collect();
-            let mut pairs = Vec::new();
+            let mut party = Party::default();
             let (mut tiling, mut grid) = (Tiling::default(), Grid::default());
-            tiling.pairs(&mut grid, &cell, &rows, [0.2, 0.05], |pair, image| {
-                pairs.push((pair, image));
-            });
+            for _ in 0..2 {
+                let threads = Threads::default();
+                tiling.pairs(&mut grid, (&rows, &cell), (0.05, 0), &mut party, &threads);
+            }
             let mut all = Vec::new();
             for i in 0..rows.len() {
                 for j in i..rows.len() {
+                    let reach = rows[i].radius + rows[j].radius + 0.05;
                     for n in -12..=12i16 {
                         for m in -40..=40i16 {
                             let s = cell.shift([n, m]);
                             let d = [0, 1].map(|k| rows[j].x[k] + s[k] - rows[i].x[k]);
-                            if d[0] * d[0] + d[1] * d[1] < 0.45 * 0.45 && (i < j || [n, m] > HERE) {
+                            let near = d[0] * d[0] + d[1] * d[1] < reach * reach;
+                            if near && (i < j || [n, m] > HERE) {
                                 all.push(([i as u32, j as u32], [n, m]));
                             }
                         }
                     }
                 }
             }
-            prop_assert_eq!(pairs, all);
+            let found = party.found();
+            let images = found.images.iter().copied();
+            let found: Vec<_> = found.pairs.iter().copied().zip(images).collect();
+            prop_assert_eq!(found, all);
         }
     }
 }

@@ -23,6 +23,9 @@ pub(in crate::engine) struct Whose {
 }
 
 impl Whose {
+    /// Bytes per particle.
+    pub(super) const BYTES: usize = 3 * size_of::<u32>();
+
     /// Notes the contacts of so many particles. `room` is how many memory is kept ready for.
     pub(super) fn note(
         &mut self,

@@ -1,8 +1,8 @@
 //! `[[generate]]`: many particles at once, at random without contacts, on a lattice or from a file.
 //!
 //! They are numbered after the listed ones, in the order of the tables; within a table in the order
-//! in which they were placed, largest first. What the seed and the number of the table decide is the
-//! same on every machine.
+//! in which they were placed, largest first, or, 5000 and more, along a curve that fills the region.
+//! What the seed and the number of the table decide is the same on every machine.
 
 mod boxes;
 mod chance;
@@ -14,6 +14,7 @@ mod grading;
 mod import;
 mod keys;
 mod lattice;
+mod order;
 mod outcome;
 mod place;
 mod region;
@@ -144,6 +145,10 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
     } else {
         at_random(reader, draft, source, place.as_ref())
     };
+    let discs = discs.map(|mut discs| {
+        order::order(&mut discs);
+        discs
+    });
     let particle = |disc: Disc| ParticleSetup {
         at: disc.at,
         radius: disc.radius,

@@ -101,14 +101,10 @@ fn resolve_at(
 
 /// The world that a scene begins with.
 pub(super) fn world(scene: &Scene, options: &Options) -> Result<World, RunError> {
-    let threads = options.threads.max(1);
+    let threads = options.threads;
     let keep = scene.start.as_ref().map(|start| start.keep);
     let (Some(Keep::All), Some(sample)) = (keep, &scene.sample) else {
-        return Ok(World::build_from(
-            scene.setup.clone(),
-            &scene.brought(),
-            threads,
-        )?);
+        return Ok(World::build_from(&scene.setup, &scene.brought(), threads)?);
     };
     let Held { world, control, .. } = held(&sample.state)
         .map_err(|fault| scene.refused(&unusable(start_key(scene), &fault.to_string())))?;

@@ -1,0 +1,55 @@
+//! How much memory a world takes, counted by what is kept of each particle and contact.
+
+use super::World;
+use super::neighbours::list::ContactList;
+use super::particles::{Mobility, Particles, Row, Sum};
+
+/// Memory of a world.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Bytes {
+    /// Per particle.
+    pub particle: usize,
+    /// Per listed contact.
+    pub contact: usize,
+    /// Of those the law's own: parameters, memory and bookings.
+    pub law: usize,
+}
+
+impl World {
+    /// Bytes per particle and per listed contact, the buffers of the search included.
+    pub fn bytes(&self) -> Bytes {
+        let cell = self.cell().is_some();
+        let [contact, particle] = ContactList::bytes(cell);
+        let law: usize = self.pass().bytes().iter().sum();
+        // What is seen of each particle and pair where something flows.
+        let seen = if cell || self.flow().is_some() {
+            size_of::<Row>()
+        } else {
+            0
+        };
+        let ledger = if self.ledger.is_some() {
+            super::ledger::BYTES_PER_PARTICLE
+        } else {
+            0
+        };
+        Bytes {
+            particle: particle + self.particles.bytes() + seen + ledger,
+            contact: contact + law,
+            law,
+        }
+    }
+}
+
+impl Particles {
+    /// Bytes per particle.
+    fn bytes(&self) -> usize {
+        let cold =
+            size_of::<(u32, f64, f64, [f64; 2])>() + size_of::<u16>() + size_of::<[bool; 3]>();
+        let body = if self.body.is_empty() {
+            0
+        } else {
+            size_of::<[f64; 2]>()
+        };
+        size_of::<Row>() + size_of::<Mobility>() + size_of::<Sum>() + body + cold
+    }
+}

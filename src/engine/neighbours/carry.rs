@@ -1,0 +1,106 @@
+//! What is kept for each contact follows the list to its new places, within its own buffer.
+
+/// No place in the old list.
+pub(in crate::engine) const NEW: u32 = u32::MAX;
+
+/// Moves items to new places: the k-th stood `shift` places before `old[k]`, or is `fresh` where that
+/// is [`NEW`]. Old places ascend, as both lists are sorted, so no second copy is needed. Room is kept
+/// for so many.
+pub(in crate::engine) fn carry<T: Copy>(
+    items: &mut Vec<T>,
+    old: &[u32],
+    shift: u32,
+    room: usize,
+    mut fresh: impl FnMut(usize) -> T,
+) {
+    // Together first ...
+    let mut kept = 0;
+    for &from in old {
+        if let Some(&item) = items.get(from.wrapping_sub(shift) as usize) {
+            items[kept] = item;
+            kept += 1;
+        }
+    }
+    let had = items.len();
+    items.truncate(kept);
+    items.reserve(room.max(old.len()) - kept);
+    let Some(&any) = items.first() else {
+        items.extend((0..old.len()).map(&mut fresh));
+        return;
+    };
+    items.resize(old.len(), any);
+    // ... then apart, from the back, until the rest is where it belongs.
+    for (k, &from) in old.iter().enumerate().rev() {
+        if kept == k + 1 {
+            break;
+        }
+        if (from.wrapping_sub(shift) as usize) < had {
+            kept -= 1;
+            items[k] = items[kept];
+        } else {
+            items[k] = fresh(k);
+        }
+    }
+}
+
+/// For each of the sorted new items, its place among the sorted old ones, or [`NEW`].
+pub(super) fn match_sorted<K: Ord>(
+    [old, new]: [usize; 2],
+    old_key: impl Fn(usize) -> K,
+    new_key: impl Fn(usize) -> K,
+    places: &mut Vec<u32>,
+) {
+    let mut k = 0;
+    for item in 0..new {
+        let wanted = new_key(item);
+        while k < old && old_key(k) < wanted {
+            k += 1;
+        }
+        let found = k < old && old_key(k) == wanted;
+        places.push(if found { k as u32 } else { NEW });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn places_are_found_by_walking() {
+        let mut places = Vec::new();
+        let old = [[0, 1], [0, 3], [2, 5]];
+        let new = [[0, 2], [0, 3], [2, 5], [3, 4]];
+        match_sorted([3, 4], |k| old[k], |k| new[k], &mut places);
+        assert_eq!(places, [NEW, 1, 2, NEW]);
+    }
+
+    proptest! {
+        #[test]
+        fn items_stand_where_a_second_copy_would_have_them(
+            size in 0..40usize,
+            shift in 0..3u32,
+            steps in prop::collection::vec((any::<bool>(), 0..4u32), 0..60),
+        ) {
+            let before: Vec<usize> = (0..size).map(|k| 1000 + k).collect();
+            let mut next = 0;
+            let old: Vec<u32> = steps
+                .iter()
+                .map(|&(new, skip)| {
+                    let place = next + skip;
+                    if new || place as usize >= size {
+                        return NEW;
+                    }
+                    next = place + 1;
+                    place + shift
+                })
+                .collect();
+            let copied: Vec<usize> = (old.iter().enumerate())
+                .map(|(k, &from)| before.get(from.wrapping_sub(shift) as usize).copied().unwrap_or(k))
+                .collect();
+            let mut items = before;
+            carry(&mut items, &old, shift, 0, |k| k);
+            prop_assert_eq!(items, copied);
+        }
+    }
+}

@@ -1,0 +1,113 @@
+//! How wide the halo of neighbours should be: wide enough that the list lasts, and tight enough that
+//! few pairs are looked at in vain. Both follow from what was counted, never from a clock.
+
+/// Making the list costs as much per particle as looking so many times at a pair out of touch.
+const SEARCH: f64 = 30.0;
+
+/// Pairs per particle in a halo of one radius, equal particles lying densely: 2 φ with φ = 0.85.
+const DENSE: f64 = 1.7;
+
+/// A thin crowd counts as one with at least this share of them; a dense one has more, but those that
+/// all but touch are listed in any halo.
+const THIN: f64 = 0.1;
+
+/// Bounds, in radii.
+const BOUNDS: [f64; 2] = [0.01, 1.0];
+
+/// Not more than this factor at once: motion comes in bursts.
+const STEP: f64 = 2.0;
+
+/// What the halo is chosen from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::engine) struct Use {
+    /// Halo of the present list [m].
+    pub(in crate::engine) tol: f64,
+    /// How much nearer two particles came, at most, since it was made [m].
+    pub(in crate::engine) nearer: f64,
+    /// In so many cycles.
+    pub(in crate::engine) cycles: u64,
+    /// Listed pairs that do not touch.
+    pub(in crate::engine) apart: usize,
+    /// Particles.
+    pub(in crate::engine) particles: usize,
+    /// Sum of squares over sum of radii [m]: the radius that decides how many there are in a halo.
+    pub(in crate::engine) radius: f64,
+}
+
+impl Use {
+    /// The halo [m] at which making the list, every tol/u cycles, and looking at s tol pairs per
+    /// particle, every cycle, cost least together: √(C u/s).
+    pub(in crate::engine) fn best(&self) -> f64 {
+        let per_cycle = self.nearer / self.cycles.max(1) as f64;
+        if !(self.radius > 0.0 && self.radius.is_finite()) {
+            return self.tol;
+        }
+        let dense = DENSE / self.radius;
+        let counted = self.apart as f64 / (self.particles.max(1) as f64 * self.tol);
+        let slope = counted.clamp(THIN * dense, dense);
+        let [least, most] = BOUNDS.map(|bound| bound * self.radius);
+        let best = (SEARCH * per_cycle / slope).sqrt().clamp(least, most);
+        if best.is_finite() { best } else { self.tol }
+    }
+
+    /// The next halo [m].
+    pub(in crate::engine) fn next(&self) -> f64 {
+        self.best().clamp(self.tol / STEP, self.tol * STEP)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const STEADY: Use = Use {
+        tol: 0.1,
+        nearer: 0.1,
+        cycles: 100,
+        apart: 17,
+        particles: 100,
+        radius: 1.0,
+    };
+
+    /// Cost of a cycle per particle, in looks at a pair.
+    fn cost(tol: f64) -> f64 {
+        let per_cycle = STEADY.nearer / STEADY.cycles as f64;
+        let slope = STEADY.apart as f64 / (STEADY.particles as f64 * STEADY.tol);
+        SEARCH * per_cycle / tol + slope * tol
+    }
+
+    #[test]
+    fn the_best_halo_costs_least() {
+        let best = STEADY.best();
+        assert!(
+            cost(best) < cost(1.02 * best) && cost(best) < cost(best / 1.02),
+            "{best}"
+        );
+    }
+
+    #[test]
+    fn the_next_halo_goes_there_in_steps_and_stays_in_bounds() {
+        let fast = Use {
+            cycles: 1,
+            ..STEADY
+        };
+        assert_eq!(fast.next(), STEP * fast.tol);
+        let still = Use {
+            nearer: 0.0,
+            ..STEADY
+        };
+        assert_eq!(still.next(), still.tol / STEP);
+        assert_eq!(still.best(), BOUNDS[0]);
+        let torn = Use {
+            nearer: f64::NAN,
+            ..STEADY
+        };
+        assert_eq!(torn.next(), torn.tol);
+        let empty = Use {
+            particles: 0,
+            radius: f64::NAN,
+            ..STEADY
+        };
+        assert_eq!(empty.next(), empty.tol);
+    }
+}
