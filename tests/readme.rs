@@ -9,8 +9,8 @@ use std::fmt::Write;
 
 use ballast::engine::contact::laws::LAWS;
 use ballast::measure::columns::listing;
-use ballast::scene::Scene;
 use ballast::scene::catalogue::PRESETS;
+use ballast::scene::{About, Scene};
 
 const README: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/README.md");
 
@@ -37,7 +37,7 @@ fn laws() -> String {
 fn presets() -> String {
     let mut text = String::from("| preset | what it shows | source |\n|---|---|---|\n");
     for preset in PRESETS {
-        let about = Scene::parse(preset.name, preset.text, &[]).unwrap().about;
+        let about = About::of(preset.text);
         let _ = writeln!(
             text,
             "| `{}` | {} | {} |",

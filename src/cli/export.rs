@@ -2,12 +2,14 @@
 
 use std::path::Path;
 
+use super::bench::opened;
 use super::output::{complain, load, tell, unopened};
 use super::progress::Progress;
 use super::sample::with_sample;
 use super::{BAD_INPUT, FAILED, Lammps};
 use crate::record::checkpoint;
 use crate::session::{Options, Reached, Session};
+use crate::study::bench::find;
 
 /// Writes a deck for LAMMPS; answers the exit status.
 pub(super) fn lammps(options: &Lammps) -> u8 {
@@ -54,6 +56,12 @@ fn session(options: &Lammps) -> Result<Session, u8> {
             return Err(BAD_INPUT);
         }
         return Session::resume(path, threads).map_err(failed);
+    }
+    if let Some(standard) = find(&options.preset)
+        && options.at.is_none()
+        && options.set.is_empty()
+    {
+        return opened(standard, threads, options.quiet);
     }
     let scene = load(&options.preset, &options.set).ok_or(BAD_INPUT)?;
     let scene = with_sample(scene, threads, options.quiet)?;

@@ -7,7 +7,7 @@ use crate::engine::contact::laws::LAWS;
 use crate::language::COMMANDS;
 use crate::measure::columns::{assembly, listing, nearest};
 use crate::scene::catalogue::{self, PRESETS};
-use crate::scene::{Scene, reference_text};
+use crate::scene::{About, reference_text};
 use crate::session::figure::per_cent;
 
 /// Names and titles of the embedded presets.
@@ -19,8 +19,7 @@ pub(super) fn presets() -> u8 {
         .unwrap_or(0);
     let mut text = String::new();
     for preset in PRESETS {
-        let about = Scene::parse(preset.name, preset.text, &[]).map(|scene| scene.about);
-        let title = about.map(|about| about.title).unwrap_or_default();
+        let title = About::of(preset.text).title;
         let _ = writeln!(text, "{:width$}  {title}", preset.name);
     }
     print(&text)

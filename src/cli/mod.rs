@@ -5,6 +5,7 @@
 //! failed, 128 + signal when interrupted with everything saved.
 
 mod aligned;
+mod bench;
 mod check;
 mod crowd;
 mod export;
@@ -121,6 +122,8 @@ enum Command {
     Study(Study),
     /// Draw columns of histories, or a checkpoint, as SVG
     Plot(Plot),
+    /// Time standard scenes: contact updates and cycles per second, memory, share of each pass
+    Bench(Bench),
     /// Write a scene for another program
     Export {
         #[command(subcommand)]
@@ -295,6 +298,37 @@ struct Plot {
     quiet: bool,
 }
 
+/// Options of `bench`.
+#[derive(Debug, Args)]
+#[command(
+    long_about = "Time standard scenes and print contact updates and cycles per second, memory of each \
+    particle and pair, and the share of the time that each part of a cycle takes. Samples are prepared \
+    once and kept. Rates are the median of five stretches, in wall time: run it on a quiet machine. \
+    `ballast export lammps SCENE` writes the same scene for LAMMPS."
+)]
+struct Bench {
+    /// Standard scenes [default: all but the large ones]
+    scenes: Vec<String>,
+    /// List them instead
+    #[arg(long)]
+    list: bool,
+    /// Run each so long [s]
+    #[arg(long, value_name = "SECONDS", default_value_t = 2.0, allow_negative_numbers = true, value_parser = positive)]
+    seconds: f64,
+    /// Run each so many cycles instead
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u64).range(1..))]
+    cycles: Option<u64>,
+    /// Write the numbers as CSV to this file; -: to standard output, instead of the table
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    /// Number of threads
+    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=64))]
+    threads: u16,
+    /// No progress and no messages
+    #[arg(long, short)]
+    quiet: bool,
+}
+
 /// Programs that scenes are written for.
 #[derive(Debug, Subcommand)]
 enum Export {
@@ -314,7 +348,7 @@ enum Export {
     --nearest writes what comes nearest and says so."
 )]
 struct Lammps {
-    /// Preset (embedded name or file) or checkpoint
+    /// Preset (embedded name or file), standard scene of `bench`, or checkpoint
     preset: String,
     /// Write the files into this folder, which is made if need be
     #[arg(long, short, value_name = "FOLDER")]
@@ -402,6 +436,7 @@ pub fn main() -> ExitCode {
         Some(Command::Verify(options)) => verify::verify(&options),
         Some(Command::Study(options)) => study::study(&options),
         Some(Command::Plot(options)) => plot::plot(&options),
+        Some(Command::Bench(options)) => bench::bench(&options),
         Some(Command::Export {
             to: Export::Lammps(options),
         }) => export::lammps(&options),

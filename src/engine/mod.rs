@@ -20,6 +20,7 @@ pub mod neighbours;
 mod origin;
 pub mod pair;
 pub mod particles;
+pub mod phase;
 pub mod plan;
 pub mod restart;
 pub mod setup;

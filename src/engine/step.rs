@@ -10,6 +10,7 @@ use super::fault::Fault;
 use super::motion::{self, Dragged, Inputs, Watch};
 use super::neighbours::{Slot, Status};
 use super::particles::{Row, Sum};
+use super::phase::{Phase, passed};
 use super::setup::Gravity;
 use super::threads::Threads;
 use super::time_step::FRACC_WARNING;
@@ -44,7 +45,9 @@ impl World {
         self.drive();
         self.depart();
         self.drift();
+        passed(&mut self.clock, Phase::Boundary);
         self.motion()?;
+        passed(&mut self.clock, Phase::Motion);
         for wall in &mut self.walls {
             wall.advance(self.dt);
         }
@@ -53,9 +56,11 @@ impl World {
         if matches!(self.model.gravity, Some(Gravity::Centripetal { .. })) {
             self.weigh();
         }
+        passed(&mut self.clock, Phase::Walls);
         self.touch(self.dt)?;
         self.arrive();
         self.keep_step();
+        passed(&mut self.clock, Phase::Rest);
         Ok(())
     }
 
@@ -148,7 +153,9 @@ impl World {
     /// evaluates.
     pub(super) fn touch(&mut self, dt: f64) -> Result<(), Fault> {
         self.find_neighbours()?;
+        passed(&mut self.clock, Phase::Neighbours);
         self.locate_walls()?;
+        passed(&mut self.clock, Phase::Walls);
         let mut pass = self.take_pass();
         let (flow, cell) = (self.flow(), self.boundary.as_ref().and_then(Boundary::cell));
         let contacts = &mut self.contacts;
@@ -161,6 +168,7 @@ impl World {
         if cell.is_some() {
             pairs = &self.seen.pairs;
         }
+        passed(&mut self.clock, Phase::Boundary);
         let view = View {
             rows,
             pairs,
@@ -175,6 +183,7 @@ impl World {
             &mut contacts.status,
             &self.threads,
         );
+        passed(&mut self.clock, Phase::Contacts);
         self.put_pass(pass);
         self.settled = false;
         Ok(())

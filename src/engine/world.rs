@@ -14,6 +14,7 @@ use super::neighbours::list::ContactList;
 use super::origin::far_origin;
 use super::pair::PairTable;
 use super::particles::{Inertia, Mobility, Particles};
+use super::phase::Clock;
 use super::plan::Plan;
 use super::restart::{Brought, number};
 use super::setup::{Body, Gravity, Setup};
@@ -72,6 +73,8 @@ pub struct World {
     pub(super) threads: Threads,
     #[serde(skip)]
     pub(super) isa: Isa,
+    #[serde(skip)]
+    pub(super) clock: Option<Clock>,
 }
 
 /// What the FRACC monitor saw.
@@ -142,6 +145,7 @@ impl World {
             pass: None,
             threads: team(threads, setup.particles.len()),
             isa: Isa::default(),
+            clock: None,
             model: setup.without_bodies(),
         };
         world.join_walls();

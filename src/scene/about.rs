@@ -25,6 +25,38 @@ pub struct About {
     pub pace: Option<f64>,
 }
 
+impl About {
+    /// Of a preset that is known to be good, without making its scene: that may hold a million particles.
+    pub fn of(text: &str) -> Self {
+        let table: toml::Table = text.parse().unwrap_or_default();
+        let about = table.get("about").and_then(toml::Value::as_table);
+        let value = |name: &str| about.and_then(|about| about.get(name));
+        let text = |name| {
+            value(name)
+                .and_then(toml::Value::as_str)
+                .unwrap_or_default()
+                .to_owned()
+        };
+        let commands = value("try").and_then(toml::Value::as_array);
+        let commands = commands
+            .into_iter()
+            .flatten()
+            .filter_map(toml::Value::as_str);
+        Self {
+            title: text("title"),
+            shows: text("shows"),
+            look: text("look"),
+            try_: commands.map(str::to_owned).collect(),
+            source: text("source"),
+            quick: value("quick")
+                .and_then(toml::Value::as_bool)
+                .unwrap_or_default(),
+            pace: value("pace")
+                .and_then(|pace| pace.as_float().or_else(|| Some(pace.as_integer()? as f64))),
+        }
+    }
+}
+
 /// The declaration.
 pub(crate) const SECTION: Section = Section {
     name: "about",
@@ -95,4 +127,19 @@ fn commands(reader: &Reader<'_>, name: &str, definitions: &Definitions) -> Vec<S
         super::phrase::accept(reader.report, parsed, text, *place);
     }
     texts.into_iter().map(|(text, _)| text.to_owned()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Scene;
+    use crate::scene::catalogue::PRESETS;
+
+    #[test]
+    fn what_is_skimmed_is_what_is_read() {
+        for preset in PRESETS {
+            let scene = Scene::parse(preset.name, preset.text, &[]).expect(preset.name);
+            assert_eq!(About::of(preset.text), scene.about, "{}", preset.name);
+        }
+    }
 }

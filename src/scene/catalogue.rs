@@ -111,6 +111,11 @@ pub const PRESETS: &[Preset] = &[
         include_str!("../../presets/shear-walls.toml"),
     ),
     preset("shear-cell", include_str!("../../presets/shear-cell.toml")),
+    preset("hopper-30", include_str!("../../presets/hopper-30.toml")),
+    preset(
+        "pluvial-million",
+        include_str!("../../presets/pluvial-million.toml"),
+    ),
     preset(
         "chung-ooi-1",
         include_str!("../../presets/chung-ooi-1.toml"),

@@ -17,6 +17,8 @@ pub struct Start {
     pub from: Source,
     /// What of it is kept.
     pub keep: Keep,
+    /// How often it is repeated along the two edges of its cell.
+    pub repeat: [u32; 2],
     /// Hash of the state that the run began with when it was repeated from.
     pub state: Option<u64>,
 }
@@ -132,6 +134,15 @@ const KEYS: &[Key] = &[
              contacts too, for which law and stiffnesses must be those of the sample",
         )
     },
+    Key {
+        form: Form::Vector,
+        ..text(
+            "repeat",
+            Absent::Said("[1, 1]"),
+            "how often a sample in a periodic cell is repeated along its two edges; particles are \
+             numbered copy by copy",
+        )
+    },
     text(
         "state",
         Absent::Said("any"),
@@ -159,6 +170,7 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
         _ => Keep::Particles,
     };
     let state = state(reader);
+    let repeat = repeat(reader, keep);
     let Some(from) = from else {
         return;
     };
@@ -173,7 +185,12 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
              keep = \"particles\"",
         );
     }
-    draft.start = Some(Start { from, keep, state });
+    draft.start = Some(Start {
+        from,
+        keep,
+        repeat,
+        state,
+    });
     let known = matches!(draft.given, Given::Sample(_));
     (draft.known.names.open, draft.ever.open) = (!known, !known);
     match draft.given {
@@ -218,6 +235,36 @@ fn source(reader: &Reader<'_>) -> Option<Source> {
             None
         }
     }
+}
+
+/// Most copies of a sample along one edge.
+const MOST_COPIES: f64 = 1000.0;
+
+fn repeat(reader: &Reader<'_>, keep: Keep) -> [u32; 2] {
+    let Some(repeat) = reader.vector("repeat").filter(|_| reader.has("repeat")) else {
+        return [1, 1];
+    };
+    if keep == Keep::All {
+        reader.refuse(
+            "repeat",
+            "`repeat` and keep = \"all\" exclude each other",
+            "a whole state cannot be repeated: its contacts and what was booked belong to one cell",
+            "write keep = \"particles\"",
+        );
+    }
+    if repeat
+        .iter()
+        .any(|&n| n.fract() != 0.0 || !(1.0..=MOST_COPIES).contains(&n))
+    {
+        reader.refuse(
+            "repeat",
+            "`repeat` of [start] does not say how often",
+            "expected two whole numbers from 1 to 1000",
+            "write for instance repeat = [5, 4]",
+        );
+        return [1, 1];
+    }
+    repeat.map(|n| n as u32)
 }
 
 fn state(reader: &Reader<'_>) -> Option<u64> {

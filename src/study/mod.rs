@@ -5,8 +5,9 @@
 //! takes ([`timing`]). What comes out is judged by the questions that were asked ([`question`],
 //! [`error`], [`replies`]) and laid out as numbers ([`outcome`], [`table`]) and as a picture
 //! ([`picture`]). [`limits`] searches the largest stable step instead. [`ensemble`] runs a scene
-//! with many seeds; [`plot`] draws what histories and ensembles hold.
+//! with many seeds; [`plot`] draws what histories and ensembles hold. [`bench`] times standard scenes.
 
+pub mod bench;
 pub mod ensemble;
 pub mod error;
 pub mod front;

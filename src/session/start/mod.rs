@@ -7,6 +7,7 @@
 mod cache;
 mod fit;
 mod prepare;
+mod repeat;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -88,6 +89,8 @@ fn resolve_at(
             .collect(),
         state,
     };
+    let sample =
+        repeat::repeated(sample, start.repeat).map_err(|trouble| scene.refused(&trouble))?;
     let keep = start.keep;
     let scene = scene.started(Arc::new(sample))?;
     if let (Keep::Particles, Some(what)) = (keep, fit::change(&world, &scene)) {

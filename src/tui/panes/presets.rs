@@ -8,7 +8,6 @@ use ratatui::widgets::{Block, Widget};
 
 use super::help;
 use crate::scene::About;
-use crate::scene::Scene;
 use crate::scene::catalogue::PRESETS;
 use crate::tui::app::App;
 use crate::tui::look::Role;
@@ -16,17 +15,8 @@ use crate::tui::write::{self, Lines};
 
 /// What the presets say about themselves. They are part of the program and never change.
 static ABOUT: LazyLock<Vec<About>> = LazyLock::new(|| {
-    PRESETS
-        .iter()
-        .map(|preset| match Scene::parse(preset.name, preset.text, &[]) {
-            Ok(scene) => scene.about,
-            Err(rejection) => About {
-                title: "cannot be read".into(),
-                shows: rejection.to_string(),
-                ..About::default()
-            },
-        })
-        .collect()
+    let texts = PRESETS.iter().map(|preset| preset.text);
+    texts.map(About::of).collect()
 });
 
 /// Draws the list with one under the cursor.
