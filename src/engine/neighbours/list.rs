@@ -45,7 +45,7 @@ pub struct ContactList {
     pub(in crate::engine) stretch: f64,
     /// Largest distance of centres in the list [m].
     pub(in crate::engine) reach: f64,
-    /// Sum of squares over sum of radii [m].
+    /// Mean radius [m].
     pub(in crate::engine) radius: f64,
     /// Cycle in which the list was made.
     pub(in crate::engine) made: u64,
@@ -97,10 +97,10 @@ impl ContactList {
         threads: &Threads,
     ) -> Vec<u32> {
         let rows = &particles.row;
-        let (mut largest, mut sum, mut squares) = (0.0f64, 0.0, 0.0);
+        let (mut largest, mut sum) = (0.0f64, 0.0);
         for &Row { radius, .. } in rows {
             largest = largest.max(radius);
-            (sum, squares) = (sum + radius, squares + radius * radius);
+            sum += radius;
         }
         let work = &mut self.work;
         let [pairs, at_walls] = Self::room(rows.len());
@@ -129,7 +129,7 @@ impl ContactList {
         self.wall_travel = 0.0;
         self.stretch = 0.0;
         self.reach = 2.0 * largest + tol;
-        self.radius = squares / sum;
+        self.radius = sum / rows.len() as f64;
         let [low, high] = particles.extent();
         let margin = largest + 2.0 * tol;
         let [low, high] = [low.map(|x| x - margin), high.map(|x| x + margin)];

@@ -30,7 +30,7 @@ pub(in crate::engine) struct Use {
     pub(in crate::engine) apart: usize,
     /// Particles.
     pub(in crate::engine) particles: usize,
-    /// Sum of squares over sum of radii [m]: the radius that decides how many there are in a halo.
+    /// Mean radius [m]: a single large one shall not widen the halo of all the small ones.
     pub(in crate::engine) radius: f64,
 }
 

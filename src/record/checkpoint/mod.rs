@@ -13,7 +13,7 @@
 mod fault;
 
 use std::fs::File;
-use std::io::Read;
+use std::io::{BufWriter, Read, Write};
 use std::path::Path;
 
 use serde::Serialize;
@@ -36,6 +36,9 @@ const LARGEST: u64 = 4 << 30;
 
 /// Fastest level of zstd: checkpoints are made in the middle of a run.
 const LEVEL: i32 = 1;
+
+/// What is compressed at a time [bytes].
+const CHUNK: usize = 1 << 16;
 
 /// Writes `value` to `path`, whole or not at all.
 pub fn write<T: Serialize>(path: &Path, value: &T) -> Result<(), RecordError> {
@@ -66,22 +69,45 @@ pub fn read<T: DeserializeOwned>(path: &Path) -> Result<T, RecordError> {
 
 /// The bytes of a checkpoint.
 pub fn encode<T: Serialize>(value: &T) -> Result<Vec<u8>, CheckpointFault> {
-    let content = postcard::to_stdvec(value)
-        .map_err(|error| CheckpointFault::Unwritable(error.to_string()))?;
-    if content.len() as u64 > LARGEST {
-        return Err(CheckpointFault::TooLarge {
-            bytes: content.len() as u64,
-        });
+    let unwritable = |error: &dyn std::fmt::Display| CheckpointFault::Unwritable(error.to_string());
+    // Compressed as it comes: the content of a large world would need as much memory as the world.
+    let packer = zstd::Encoder::new(vec![0; HEADER], LEVEL).map_err(|error| unwritable(&error))?;
+    let counted = Counted {
+        to: packer,
+        bytes: 0,
+    };
+    let content = postcard::to_io(value, BufWriter::with_capacity(CHUNK, counted))
+        .map_err(|error| unwritable(&error))?;
+    let Counted { to: packer, bytes } = content.into_inner().map_err(|error| unwritable(&error))?;
+    if bytes > LARGEST {
+        return Err(CheckpointFault::TooLarge { bytes });
     }
-    let payload = zstd::bulk::compress(&content, LEVEL)
-        .map_err(|error| CheckpointFault::Unwritable(error.to_string()))?;
-    let mut bytes = Vec::with_capacity(HEADER + payload.len());
-    bytes.extend_from_slice(MAGIC);
-    bytes.extend_from_slice(&FORMAT.to_le_bytes());
-    bytes.extend_from_slice(&(payload.len() as u64).to_le_bytes());
-    bytes.extend_from_slice(&crc32fast::hash(&payload).to_le_bytes());
-    bytes.extend_from_slice(&payload);
-    Ok(bytes)
+    let mut whole = packer.finish().map_err(|error| unwritable(&error))?;
+    let payload = &whole[HEADER..];
+    let mut header = MAGIC.to_vec();
+    header.extend_from_slice(&FORMAT.to_le_bytes());
+    header.extend_from_slice(&(payload.len() as u64).to_le_bytes());
+    header.extend_from_slice(&crc32fast::hash(payload).to_le_bytes());
+    whole[..HEADER].copy_from_slice(&header);
+    Ok(whole)
+}
+
+/// Counts what goes through [bytes].
+struct Counted<W> {
+    to: W,
+    bytes: u64,
+}
+
+impl<W: Write> Write for Counted<W> {
+    fn write(&mut self, part: &[u8]) -> std::io::Result<usize> {
+        let written = self.to.write(part)?;
+        self.bytes += written as u64;
+        Ok(written)
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        self.to.flush()
+    }
 }
 
 /// The value in the bytes of a checkpoint.
