@@ -62,12 +62,49 @@ static SPREAD: [u64; 256] = {
     table
 };
 
+/// Blocks whose geometry is worked out before their laws: one block alone is a long chain of steps
+/// that wait for each other, and a processor looks ahead a block or two at most.
+const AT_ONCE: usize = 8;
+
 /// Geometry of a block.
+#[derive(Clone, Copy)]
 struct Geometry<V: Lanes> {
     e: [V; 2],
-    touch: Touch<V>,
+    touching: V::Mask,
+    overlap: V,
+    approach: V,
+    slide: V,
+    roll: V,
     /// D/(R1 + R2), the ratio by which lever arms are shorter than radii.
     arm: V,
+}
+
+impl<V: Lanes> Geometry<V> {
+    #[inline(always)]
+    fn nowhere() -> Self {
+        let zero = V::all(0.0);
+        Self {
+            e: [zero; 2],
+            touching: V::mask(0),
+            overlap: zero,
+            approach: zero,
+            slide: zero,
+            roll: zero,
+            arm: zero,
+        }
+    }
+
+    #[inline(always)]
+    fn touch(&self, dt: f64) -> Touch<V> {
+        Touch {
+            touching: self.touching,
+            overlap: self.overlap,
+            approach: self.approach,
+            slide: self.slide,
+            roll: self.roll,
+            dt: V::all(dt),
+        }
+    }
 }
 
 impl<L: Law> Kernel<'_, L> {
@@ -115,17 +152,27 @@ impl<L: Law> Kernel<'_, L> {
     unsafe fn pairs<V: Lanes, const BOOK: bool>(&self, from: usize, to: usize) {
         let mut k = from;
         let far = self.view.rows.len() > FAR;
+        let mut seen = [Geometry::<V>::nowhere(); AT_ONCE];
         // SAFETY: the caller's; blocks end before `to`.
         unsafe {
             while k + V::COUNT <= to {
-                if far {
-                    self.ask_for(k + AHEAD, V::COUNT);
+                let blocks = ((to - k) / V::COUNT).min(AT_ONCE);
+                for (block, seen) in seen.iter_mut().enumerate().take(blocks) {
+                    let k = k + block * V::COUNT;
+                    if far {
+                        self.ask_for(k + AHEAD, V::COUNT);
+                    }
+                    self.look::<V>(k, seen);
                 }
-                self.pair::<V, BOOK>(k);
-                k += V::COUNT;
+                for (block, seen) in seen.iter().enumerate().take(blocks) {
+                    self.pair::<V, BOOK>(k + block * V::COUNT, seen);
+                }
+                k += blocks * V::COUNT;
             }
+            let mut alone = Geometry::<f64>::nowhere();
             while k < to {
-                self.pair::<f64, BOOK>(k);
+                self.look::<f64>(k, &mut alone);
+                self.pair::<f64, BOOK>(k, &alone);
                 k += 1;
             }
         }
@@ -175,52 +222,49 @@ impl<L: Law> Kernel<'_, L> {
         }
     }
 
+    /// The geometry of a block of pairs.
     #[inline(always)]
-    unsafe fn pair<V: Lanes, const BOOK: bool>(&self, k: usize) {
+    unsafe fn look<V: Lanes>(&self, k: usize, seen: &mut Geometry<V>) {
+        // SAFETY: the caller's: a block of pairs.
+        let Meeting {
+            d,
+            v,
+            spin,
+            rim,
+            reach,
+        } = unsafe { V::meet(self.view.rows.as_ptr(), self.view.pairs.as_ptr().add(k)) };
+        let square = d[0] * d[0] + d[1] * d[1];
+        let distance = square.sqrt();
+        let overlap = reach - distance;
+        let apart = square.at_least(reach * reach) | V::all(0.0).at_least(overlap);
+        // One division for all three: D, R1 + R2 and their ratio.
+        let inverse = V::all(1.0) / (reach * distance);
+        let per_distance = reach * inverse;
+        let e = [d[0] * per_distance, d[1] * per_distance];
+        let arm = square * inverse;
+        seen.touching = !apart;
+        seen.overlap = overlap;
+        seen.approach = v[0] * e[0] + v[1] * e[1];
+        if <L::On<V> as React<V>>::TANGENTIAL {
+            seen.slide = v[0] * e[1] - v[1] * e[0] - rim * arm;
+            seen.arm = arm;
+        }
+        if <L::On<V> as React<V>>::ROLLING {
+            seen.roll = spin;
+        }
+        seen.e = e;
+    }
+
+    #[inline(always)]
+    unsafe fn pair<V: Lanes, const BOOK: bool>(&self, k: usize, seen: &Geometry<V>) {
         // SAFETY: the caller's: a block of pairs.
         unsafe {
-            let Meeting {
-                d,
-                v,
-                spin,
-                rim,
-                reach,
-            } = V::meet(self.view.rows.as_ptr(), self.view.pairs.as_ptr().add(k));
-            let square = d[0] * d[0] + d[1] * d[1];
-            let distance = square.sqrt();
-            let overlap = reach - distance;
-            let apart = square.at_least(reach * reach) | V::all(0.0).at_least(overlap);
-            let touching = !apart;
             let stood = self.stood(k, V::COUNT);
-            if stood == 0 && !V::any(touching) {
+            if stood == 0 && !V::any(seen.touching) {
                 return self.rest::<BOOK>(k, V::COUNT);
             }
-            // One division for all three: D, R1 + R2 and their ratio.
-            let inverse = V::all(1.0) / (reach * distance);
-            let per_distance = reach * inverse;
-            let e = [d[0] * per_distance, d[1] * per_distance];
-            let arm = square * inverse;
-            let turns = <L::On<V> as React<V>>::TANGENTIAL;
-            let slide = if turns {
-                v[0] * e[1] - v[1] * e[0] - rim * arm
-            } else {
-                V::all(0.0)
-            };
-            let touch = Touch {
-                touching,
-                overlap,
-                approach: v[0] * e[0] + v[1] * e[1],
-                slide,
-                roll: if <L::On<V> as React<V>>::ROLLING {
-                    spin
-                } else {
-                    V::all(0.0)
-                },
-                dt: V::all(self.view.dt),
-            };
-            let geometry = Geometry { e, touch, arm };
-            let laws = self.laws[0].as_ptr();
-            self.react::<V, BOOK>(k, Reading::at(laws, k), &geometry, stood);
+            let laws = Reading::at(self.laws[0].as_ptr(), k);
+            self.react::<V, BOOK>(k, laws, seen, stood);
         }
     }
 
@@ -245,7 +289,8 @@ impl<L: Law> Kernel<'_, L> {
             } else {
                 0.0
             };
-            let touch = Touch {
+            let geometry = Geometry {
+                e,
                 touching,
                 overlap,
                 approach: v[0] * e[0] + v[1] * e[1],
@@ -255,9 +300,8 @@ impl<L: Law> Kernel<'_, L> {
                 } else {
                     0.0
                 },
-                dt: self.view.dt,
+                arm: 1.0,
             };
-            let geometry = Geometry { e, touch, arm: 1.0 };
             let laws = Reading::at(self.laws[1].as_ptr(), w);
             self.react::<f64, BOOK>(k, laws, &geometry, stood);
         }
@@ -274,7 +318,8 @@ impl<L: Law> Kernel<'_, L> {
         // SAFETY: the caller's: a block of contacts, with parameters where `laws` stands.
         unsafe {
             let zero = V::all(0.0);
-            let touching = g.touch.touching;
+            let touching = g.touching;
+            let touch = g.touch(self.view.dt);
             let parameters = laws;
             let law = L::On::<V>::take(&mut laws);
             let columns = self.memory.as_ptr();
@@ -292,12 +337,12 @@ impl<L: Law> Kernel<'_, L> {
                         self.part::<BOOK>(
                             k + lane,
                             parameters.further(lane),
-                            &lane_of(&g.touch, lane),
+                            &lane_of(&touch, lane),
                         );
                     }
                 }
             }
-            let r = law.react(&g.touch, &mut memory);
+            let r = law.react(&touch, &mut memory);
             L::Memo::keep::<V>(memory, touching, &mut Writing::at(columns, k));
             let t = [g.e[1], -g.e[0]];
             let columns = [
@@ -311,7 +356,7 @@ impl<L: Law> Kernel<'_, L> {
             let bytes = SPREAD[bits as usize & 255] + SPREAD[sliding as usize & 255];
             self.stand(k, V::COUNT, bytes);
             if BOOK {
-                self.book(k, &r, &g.touch);
+                self.book(k, &r, &touch);
             }
         }
     }
