@@ -102,5 +102,5 @@ columns = ["particle:1:x", "state_hash"]
 }
 
 /// A run of some seconds: long enough to be interrupted anywhere.
-pub(crate) const LONG: &str = "nine-disc-compression --set stage.ring.max_cycles=250000 \
-                        --set stage.rest.max_cycles=250000 --set history.every=500";
+pub(crate) const LONG: &str = "nine-disc-compression --set stage.ring.max_cycles=750000 \
+                        --set stage.rest.max_cycles=750000 --set history.every=1500";
