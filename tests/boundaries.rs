@@ -8,6 +8,8 @@ mod cells;
 mod channel;
 #[path = "boundaries/flows.rs"]
 mod flows;
+#[path = "boundaries/grains.rs"]
+mod grains;
 #[path = "boundaries/moduli.rs"]
 mod moduli;
 #[path = "boundaries/rings.rs"]

@@ -3,6 +3,8 @@
 use ballast::scene::Scene;
 use ballast::session::{Budget, Options, Session};
 
+use crate::grains::grains;
+
 /// Mean stress that is held [Pa].
 const PRESSURE: f64 = 1e5;
 
@@ -32,27 +34,10 @@ struct Row {
 /// 200 spheres of the thesis' graded assembly, compressed, at rest with friction, sheared at constant
 /// mean stress and back again, then along a stress path that turns twice. All its stresses.
 fn tested(boundary: &str, place: &str) -> Vec<Row> {
+    let grains = grains(place);
     let preset = format!(
         r#"
-        [model]
-        law = "hertz-mindlin"
-        frac = 0.2
-        [damping]
-        contact = 0.1
-        [material.glass]
-        density = 2650
-        young = 70e9
-        poisson = 0.25
-        [[generate]]
-        in = {place}
-        material = "glass"
-        grading = [
-          {{ radius = 0.92e-3, count = 10 }},
-          {{ radius = 0.76e-3, count = 46 }},
-          {{ radius = 0.61e-3, count = 57 }},
-          {{ radius = 0.46e-3, count = 77 }},
-          {{ radius = 0.31e-3, count = 10 }},
-        ]
+        {grains}
         {boundary}
         [history]
         every = 100

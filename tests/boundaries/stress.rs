@@ -4,6 +4,8 @@
 use ballast::scene::Scene;
 use ballast::session::{Budget, Options, Session};
 
+use crate::grains::grains;
+
 /// Half the width of the box, before its walls move [m].
 const HALF: f64 = 0.0105;
 
@@ -22,29 +24,13 @@ fn at_rest() -> Session {
             "[[wall]]\nname = \"{name}\"\nfrom = {from:?}\nto = {to:?}\nmaterial = \"plate\"\n"
         );
     }
+    let place = format!("{{ rectangle = {{ min = [-{HALF}, -{HALF}], max = [{HALF}, {HALF}] }} }}");
+    let grains = grains(&place);
     let preset = format!(
         r#"
-        [model]
-        law = "hertz-mindlin"
-        frac = 0.2
-        [damping]
-        contact = 0.1
-        [material.glass]
-        density = 2650
-        young = 70e9
-        poisson = 0.25
+        {grains}
         [material.plate]
         rigid = true
-        [[generate]]
-        in = {{ rectangle = {{ min = [-{HALF}, -{HALF}], max = [{HALF}, {HALF}] }} }}
-        material = "glass"
-        grading = [
-          {{ radius = 0.92e-3, count = 10 }},
-          {{ radius = 0.76e-3, count = 46 }},
-          {{ radius = 0.61e-3, count = 57 }},
-          {{ radius = 0.46e-3, count = 77 }},
-          {{ radius = 0.31e-3, count = 10 }},
-        ]
         [boundary]
         kind = "walls"
         {walls}
