@@ -18,6 +18,7 @@ pub mod ledger;
 pub mod motion;
 pub mod neighbours;
 mod origin;
+mod packing;
 pub mod pair;
 pub mod particles;
 pub mod phase;

@@ -128,6 +128,14 @@ impl Threads {
         Self { workers, spin }
     }
 
+    /// A team of so many threads, or, for 0, of as many as suit so many particles.
+    pub fn team(threads: usize, particles: usize) -> Self {
+        Self::new(match threads {
+            0 => suited(particles, processors()),
+            count => count,
+        })
+    }
+
     /// Number of threads.
     pub fn count(&self) -> usize {
         self.workers.len() + 1

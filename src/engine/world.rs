@@ -18,7 +18,7 @@ use super::phase::Clock;
 use super::plan::Plan;
 use super::restart::{Brought, number};
 use super::setup::{Body, Gravity, Setup};
-use super::threads::{Threads, processors, suited};
+use super::threads::Threads;
 use super::time_step;
 use super::wall::Wall;
 
@@ -61,7 +61,7 @@ pub struct World {
     /// What a change from outside left that no cycle can begin with, until another mends it.
     pub(super) misplaced: Option<Fault>,
     /// Memory of the contacts, filled only in a checkpoint.
-    memory: Vec<u8>,
+    pub(super) memory: Vec<u8>,
     #[serde(skip)]
     pub(super) seen: Seen,
     /// Forces of a loaded ring on their way to its particles.
@@ -143,7 +143,7 @@ impl World {
             seen: Seen::default(),
             loads: Vec::new(),
             pass: None,
-            threads: team(threads, setup.particles.len()),
+            threads: Threads::team(threads, setup.particles.len()),
             isa: Isa::default(),
             clock: None,
             model: setup.without_bodies(),
@@ -160,38 +160,6 @@ impl World {
         world.touch(0.0)?;
         world.open_ledger();
         Ok(world)
-    }
-
-    /// Ready to be written to a checkpoint: takes the contact memory along.
-    pub fn pack(&mut self) {
-        self.memory = self
-            .pass
-            .as_ref()
-            .map(|pass| pass.save())
-            .unwrap_or_default();
-    }
-
-    /// After the checkpoint is written.
-    pub fn unload(&mut self) {
-        self.memory = Vec::new();
-    }
-
-    /// After reading a checkpoint: what is not stored is made again. False if it does not fit.
-    /// `threads` 0: as many as suit its size.
-    pub fn unpack(&mut self, threads: usize) -> bool {
-        self.threads = team(threads, self.particles.len());
-        let mut pass = self.plan().pass();
-        let old = vec![u32::MAX; self.contacts.len()];
-        pass.relist(&old, self.contacts.pairs.len(), self.room(), &|k| {
-            self.basis(k)
-        });
-        let fits = pass.load(&std::mem::take(&mut self.memory));
-        for row in &mut self.particles.row {
-            row.set_spin(row.spin);
-        }
-        self.pass = Some(pass);
-        self.see();
-        fits
     }
 
     /// Uses other vector instructions; what is worked out stays the same.
@@ -487,12 +455,4 @@ impl World {
             }
         }
     }
-}
-
-/// So many threads, or, for 0, as many as suit the particles.
-fn team(threads: usize, particles: usize) -> Threads {
-    Threads::new(match threads {
-        0 => suited(particles, processors()),
-        count => count,
-    })
 }

@@ -12,18 +12,7 @@ use crate::engine::lanes::Lanes;
 #[derive(Debug, Clone, Copy)]
 pub struct Undamped;
 
-impl<V: Lanes> Numbers<V> for Undamped {
-    const COUNT: usize = 0;
-
-    #[inline(always)]
-    fn take(_: &mut Reading) -> Self {
-        Self
-    }
-}
-
-impl Written<f64> for Undamped {
-    fn give(self, _: bool, _: &mut Writing) {}
-}
+numbers!(Undamped);
 
 impl<V: Lanes> Dashpots<V> for Undamped {
     #[inline(always)]

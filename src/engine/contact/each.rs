@@ -13,8 +13,24 @@ use crate::engine::lanes::Lanes;
 
 /// What such a part does for one contact.
 pub trait Alone: Tangential {
-    /// Advances the memory by one step and answers.
-    fn force(&self, touch: &Touch, load: &Load, memory: &mut Self::Memo) -> Shear;
+    /// Advances the memory by one step to an overlap > 0 with a tangential displacement [m].
+    fn advance(&self, overlap: f64, displacement: f64, memory: &mut Self::Memo) -> Slipped;
+    /// Friction coefficient [-].
+    fn friction(&self) -> f64;
+}
+
+/// What a step of it answers.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Slipped {
+    /// Tangential force at the end of the step [N].
+    pub force: f64,
+    /// Energy lost by slip of the whole contact [J].
+    pub gross: f64,
+    /// Energy lost by slip of outer annuli while the inside sticks, and by what the law forgets [J]; of
+    /// either sign.
+    pub micro: f64,
+    /// Whether the whole contact slid.
+    pub sliding: bool,
 }
 
 /// Where the parameters of a block stand.
@@ -45,46 +61,27 @@ impl<T: Alone, V: Lanes> TangentialForce<V> for Each<T> {
     #[inline(always)]
     fn force(&self, touch: &Touch<V>, load: &Load<V>, memory: &mut *mut T::Memo) -> Shear<V> {
         let touching = V::bits(touch.touching);
-        let [overlap, slide, dt] = [
-            touch.overlap.numbers(),
-            touch.slide.numbers(),
-            touch.dt.numbers(),
-        ];
-        let total = load.total.numbers();
-        let (mut force, mut gross, mut micro, mut limit) = ([0.0; 8], [0.0; 8], [0.0; 8], [0.0; 8]);
+        let (overlap, d) = (touch.overlap.numbers(), (touch.slide * touch.dt).numbers());
+        let [mut force, mut gross, mut micro, mut friction] = [[0.0; 8]; 4];
         let mut sliding = 0;
         for lane in 0..V::COUNT {
             if touching >> lane & 1 == 0 {
                 continue;
             }
             let part = T::take(&mut self.from.further(lane));
-            let touch = Touch {
-                touching: true,
-                overlap: overlap[lane],
-                approach: 0.0,
-                slide: slide[lane],
-                roll: 0.0,
-                dt: dt[lane],
-            };
-            let load = Load {
-                elastic: 0.0,
-                total: total[lane],
-                stiffness: 0.0,
-            };
             // SAFETY: the loop hands over where the memories of the block begin, and nobody else
             // works on them.
             let memory = unsafe { &mut *memory.add(lane) };
-            let shear = part.force(&touch, &load, memory);
-            force[lane] = shear.force;
-            [gross[lane], micro[lane]] = shear.loss;
-            limit[lane] = shear.limit;
-            sliding |= u32::from(shear.sliding) << lane;
+            let slip = part.advance(overlap[lane], d[lane], memory);
+            (force[lane], gross[lane], micro[lane]) = (slip.force, slip.gross, slip.micro);
+            friction[lane] = part.friction();
+            sliding |= u32::from(slip.sliding) << lane;
         }
         Shear {
             force: V::of(&force),
             loss: [V::of(&gross), V::of(&micro)],
             sliding: V::mask(sliding),
-            limit: V::of(&limit),
+            limit: load.limit(V::of(&friction), V::all(0.0)),
         }
     }
 

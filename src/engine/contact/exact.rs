@@ -7,7 +7,7 @@
 use super::card::{Card, FRICTION, POISSON, Slip, YOUNG};
 use super::dashpot::Following;
 use super::diagram::{Diagram, Partial, PartialLanes};
-use super::each::{Alone, Each};
+use super::each::{Alone, Each, Slipped};
 use super::hertz::{self, Hertz};
 use super::inner::Inner;
 use super::linear::Frictionless;
@@ -127,8 +127,7 @@ impl<V: Lanes, const M: usize> TangentialForce<V> for ExactLanes<V, M> {
             force,
             loss: [V::all(0.0); 2],
             sliding: V::mask(sliding),
-            // A dashpot that pulls must not turn the limit negative.
-            limit: (self.partial.friction * load.total).positive(),
+            limit: load.limit(self.partial.friction, V::all(0.0)),
         }
     }
 
@@ -152,18 +151,13 @@ impl<const M: usize> Memory for Diagram<M> {
 
 impl<const M: usize> Alone for ExactShear<M> {
     #[inline(always)]
-    fn force(&self, touch: &Touch, load: &Load, memory: &mut Diagram<M>) -> Shear {
-        let slip = self
-            .partial
-            .advance(touch.overlap, touch.slide * touch.dt, memory);
-        let limit = self.friction * load.total;
-        Shear {
-            force: slip.force,
-            loss: [slip.gross, slip.micro],
-            sliding: slip.sliding,
-            // A dashpot that pulls must not turn the limit negative.
-            limit: if limit > 0.0 { limit } else { 0.0 },
-        }
+    fn advance(&self, overlap: f64, displacement: f64, memory: &mut Diagram<M>) -> Slipped {
+        self.partial.advance(overlap, displacement, memory)
+    }
+
+    #[inline(always)]
+    fn friction(&self) -> f64 {
+        self.friction
     }
 }
 

@@ -74,8 +74,7 @@ impl<V: Lanes, const KEEP: bool> TangentialForce<V> for HertzMindlin<V, KEEP> {
     #[inline(always)]
     fn force(&self, touch: &Touch<V>, load: &Load<V>, memory: &mut HeldShear<V>) -> Shear<V> {
         let k = self.mindlin * touch.overlap.sqrt();
-        // A dashpot that pulls must not turn the limit negative.
-        let limit = (self.friction * load.total + self.cohesion).positive();
+        let limit = load.limit(self.friction, self.cohesion);
         let d = touch.slide * touch.dt;
         let now = follow(memory.force, memory.stiffness, k, !KEEP, d, limit);
         *memory = HeldShear {

@@ -11,6 +11,7 @@
 
 use super::book::{Book, Step};
 use super::columns::MOST;
+use super::geometry::{Geometry, lane_of};
 use super::law::{Law, React};
 use super::memory::Memory;
 use super::numbers::{Column, Numbers, Reading, Writing};
@@ -65,47 +66,6 @@ static SPREAD: [u64; 256] = {
 /// Blocks whose geometry is worked out before their laws: one block alone is a long chain of steps
 /// that wait for each other, and a processor looks ahead a block or two at most.
 const AT_ONCE: usize = 8;
-
-/// Geometry of a block.
-#[derive(Clone, Copy)]
-struct Geometry<V: Lanes> {
-    e: [V; 2],
-    touching: V::Mask,
-    overlap: V,
-    approach: V,
-    slide: V,
-    roll: V,
-    /// D/(R1 + R2), the ratio by which lever arms are shorter than radii.
-    arm: V,
-}
-
-impl<V: Lanes> Geometry<V> {
-    #[inline(always)]
-    fn nowhere() -> Self {
-        let zero = V::all(0.0);
-        Self {
-            e: [zero; 2],
-            touching: V::mask(0),
-            overlap: zero,
-            approach: zero,
-            slide: zero,
-            roll: zero,
-            arm: zero,
-        }
-    }
-
-    #[inline(always)]
-    fn touch(&self, dt: f64) -> Touch<V> {
-        Touch {
-            touching: self.touching,
-            overlap: self.overlap,
-            approach: self.approach,
-            slide: self.slide,
-            roll: self.roll,
-            dt: V::all(dt),
-        }
-    }
-}
 
 impl<L: Law> Kernel<'_, L> {
     /// Contacts `from..to`, with the instructions asked for.
@@ -419,18 +379,5 @@ impl<L: Law> Kernel<'_, L> {
                 unsafe { *self.book.add(k + lane) = Book::default() };
             }
         }
-    }
-}
-
-/// What one contact of a block is told.
-#[inline(always)]
-fn lane_of<V: Lanes>(touch: &Touch<V>, lane: usize) -> Touch {
-    Touch {
-        touching: V::bits(touch.touching) >> lane & 1 == 1,
-        overlap: touch.overlap.numbers()[lane],
-        approach: touch.approach.numbers()[lane],
-        slide: touch.slide.numbers()[lane],
-        roll: touch.roll.numbers()[lane],
-        dt: touch.dt.numbers()[lane],
     }
 }

@@ -165,18 +165,7 @@ impl Normal for IncrementalNormal {
 #[derive(Debug, Clone, Copy)]
 pub struct Frictionless;
 
-impl<V: Lanes> Numbers<V> for Frictionless {
-    const COUNT: usize = 0;
-
-    #[inline(always)]
-    fn take(_: &mut Reading) -> Self {
-        Self
-    }
-}
-
-impl Written<f64> for Frictionless {
-    fn give(self, _: bool, _: &mut Writing) {}
-}
+numbers!(Frictionless);
 
 impl<V: Lanes> TangentialForce<V> for Frictionless {
     type Memory = ();
@@ -273,8 +262,7 @@ impl<V: Lanes> TangentialForce<V> for LinearShear<V> {
         let zero = V::all(0.0);
         let old = memory.force;
         let trial = old + self.k * (touch.slide * touch.dt);
-        // A dashpot that pulls must not turn the limit negative.
-        let limit = (self.friction * load.total + self.cohesion).positive();
+        let limit = load.limit(self.friction, self.cohesion);
         let over = trial.abs().above(limit);
         let force = V::pick(over, limit.copysign(trial), trial);
         memory.force = force;

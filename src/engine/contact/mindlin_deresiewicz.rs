@@ -1,12 +1,12 @@
 //! Randall's tangential law as a part of a contact: partial slip with two reversals remembered.
 
 use super::card::{Card, FRICTION, POISSON, Slip, YOUNG};
-use super::each::{Alone, Each};
+use super::each::{Alone, Each, Slipped};
 use super::inner::Inner;
 use super::memory::{Memory, kept_whole};
 use super::numbers::{Numbers, Reading, Writing, Written};
 use super::parts::Tangential;
-use super::quantities::{Basis, Load, Shear, Touch};
+use super::quantities::Basis;
 use super::traction::Traction;
 use super::two_reversals::{Reversals, TwoReversals, WORST_GAIN};
 use crate::engine::lanes::Lanes;
@@ -68,18 +68,13 @@ impl Memory for Reversals {
 
 impl Alone for ReversalShear {
     #[inline(always)]
-    fn force(&self, touch: &Touch, load: &Load, memory: &mut Reversals) -> Shear {
-        let slip = self
-            .law
-            .advance(touch.overlap, touch.slide * touch.dt, memory);
-        let limit = self.friction * load.total;
-        Shear {
-            force: slip.force,
-            loss: [slip.gross, slip.micro],
-            sliding: slip.sliding,
-            // A dashpot that pulls must not turn the limit negative.
-            limit: if limit > 0.0 { limit } else { 0.0 },
-        }
+    fn advance(&self, overlap: f64, displacement: f64, memory: &mut Reversals) -> Slipped {
+        self.law.advance(overlap, displacement, memory)
+    }
+
+    #[inline(always)]
+    fn friction(&self) -> f64 {
+        self.friction
     }
 }
 

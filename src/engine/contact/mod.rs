@@ -12,6 +12,7 @@ pub mod dashpot;
 pub mod diagram;
 pub mod each;
 pub mod exact;
+mod geometry;
 pub mod hertz;
 pub mod hertz_mindlin;
 mod history;

@@ -171,8 +171,23 @@ impl<V: Lanes> Written<V> for () {
     fn give(self, _: V::Mask, _: &mut Writing) {}
 }
 
-/// Says of a struct whose fields are numbers that it is.
+/// Says of a struct whose fields are numbers, or that has none, that it is.
 macro_rules! numbers {
+    ($name:ident) => {
+        impl<V: Lanes> Numbers<V> for $name {
+            const COUNT: usize = 0;
+
+            #[inline(always)]
+            fn take(_: &mut Reading) -> Self {
+                Self
+            }
+        }
+
+        impl<V: Lanes> Written<V> for $name {
+            #[inline(always)]
+            fn give(self, _: V::Mask, _: &mut Writing) {}
+        }
+    };
     ($name:ident $(<const $constant:ident>)? { $($field:ident: $kind:ty),* $(,)? }) => {
         impl<V: Lanes $(, const $constant: bool)?> Numbers<V> for $name<V $(, $constant)?> {
             const COUNT: usize = 0 $(+ <$kind as Numbers<V>>::COUNT)*;

@@ -158,7 +158,9 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
         let total = self.len();
         let one_each = [self.memory.len(), slots.len(), status.len()];
         assert!(
-            one_each == [total; 3] && view.pairs.len() == self.laws[0].len(),
+            one_each == [total; 3]
+                && view.pairs.len() == self.laws[0].len()
+                && (!BOOK || self.book.len() == total),
             "lists of contacts differ in length"
         );
         let isa = view.isa;

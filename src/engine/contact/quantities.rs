@@ -31,6 +31,15 @@ pub struct Load<V = f64> {
     pub stiffness: V,
 }
 
+impl<V: Lanes> Load<V> {
+    /// Friction limit [N]: μ times the normal force, and cohesion [N]. A dashpot that pulls does not
+    /// turn it negative.
+    #[inline(always)]
+    pub fn limit(&self, friction: V, cohesion: V) -> V {
+        (friction * self.total + cohesion).positive()
+    }
+}
+
 /// What the tangential part answers.
 #[derive(Clone, Copy)]
 pub struct Shear<V: Lanes = f64> {

@@ -18,18 +18,7 @@ use crate::engine::lanes::Lanes;
 #[derive(Debug, Clone, Copy)]
 pub struct Unresisted;
 
-impl<V: Lanes> Numbers<V> for Unresisted {
-    const COUNT: usize = 0;
-
-    #[inline(always)]
-    fn take(_: &mut Reading) -> Self {
-        Self
-    }
-}
-
-impl Written<f64> for Unresisted {
-    fn give(self, _: bool, _: &mut Writing) {}
-}
+numbers!(Unresisted);
 
 impl<V: Lanes> RollingMoment<V> for Unresisted {
     type Memory = ();

@@ -9,7 +9,7 @@ use std::arch::x86_64::{
     _mm256_unpackhi_pd, _mm256_unpacklo_pd, _mm256_xor_pd, _mm256_zextpd128_pd256,
 };
 
-use super::{Lanes, Meeting, Quad, arithmetic};
+use super::{Lanes, Meeting, Quad, arithmetic, plain_members};
 use crate::engine::particles::Row;
 
 /// Numbers.
@@ -84,41 +84,15 @@ impl Lanes for Four {
     const COUNT: usize = 4;
     type Mask = Mask;
 
-    #[inline(always)]
-    fn all(x: f64) -> Self {
-        Self(unsafe { _mm256_set1_pd(x) })
-    }
-
-    #[inline(always)]
-    unsafe fn read(from: *const f64) -> Self {
-        Self(unsafe { _mm256_loadu_pd(from) })
-    }
-
-    #[inline(always)]
-    unsafe fn write(self, to: *mut f64) {
-        unsafe { _mm256_storeu_pd(to, self.0) }
-    }
-
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        Self(unsafe { _mm256_sqrt_pd(self.0) })
-    }
-
-    #[inline(always)]
-    fn abs(self) -> Self {
-        Self(unsafe { _mm256_andnot_pd(_mm256_set1_pd(-0.0), self.0) })
-    }
-
-    #[inline(always)]
-    fn copysign(self, sign: Self) -> Self {
-        unsafe {
-            let bit = _mm256_set1_pd(-0.0);
-            Self(_mm256_or_pd(
-                _mm256_andnot_pd(bit, self.0),
-                _mm256_and_pd(bit, sign.0),
-            ))
-        }
-    }
+    plain_members!(
+        _mm256_set1_pd,
+        _mm256_loadu_pd,
+        _mm256_storeu_pd,
+        _mm256_sqrt_pd,
+        _mm256_and_pd,
+        _mm256_andnot_pd,
+        _mm256_or_pd
+    );
 
     #[inline(always)]
     fn above(self, other: Self) -> Mask {

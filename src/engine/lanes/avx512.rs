@@ -9,7 +9,7 @@ use std::arch::x86_64::{
     _mm512_xor_pd,
 };
 
-use super::{Lanes, Meeting, arithmetic};
+use super::{Lanes, Meeting, arithmetic, plain_members};
 use crate::engine::particles::Row;
 
 /// Numbers.
@@ -103,41 +103,15 @@ impl Lanes for Eight {
     const COUNT: usize = 8;
     type Mask = Mask;
 
-    #[inline(always)]
-    fn all(x: f64) -> Self {
-        Self(unsafe { _mm512_set1_pd(x) })
-    }
-
-    #[inline(always)]
-    unsafe fn read(from: *const f64) -> Self {
-        Self(unsafe { _mm512_loadu_pd(from) })
-    }
-
-    #[inline(always)]
-    unsafe fn write(self, to: *mut f64) {
-        unsafe { _mm512_storeu_pd(to, self.0) }
-    }
-
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        Self(unsafe { _mm512_sqrt_pd(self.0) })
-    }
-
-    #[inline(always)]
-    fn abs(self) -> Self {
-        Self(unsafe { _mm512_andnot_pd(_mm512_set1_pd(-0.0), self.0) })
-    }
-
-    #[inline(always)]
-    fn copysign(self, sign: Self) -> Self {
-        unsafe {
-            let bit = _mm512_set1_pd(-0.0);
-            Self(_mm512_or_pd(
-                _mm512_andnot_pd(bit, self.0),
-                _mm512_and_pd(bit, sign.0),
-            ))
-        }
-    }
+    plain_members!(
+        _mm512_set1_pd,
+        _mm512_loadu_pd,
+        _mm512_storeu_pd,
+        _mm512_sqrt_pd,
+        _mm512_and_pd,
+        _mm512_andnot_pd,
+        _mm512_or_pd
+    );
 
     #[inline(always)]
     fn above(self, other: Self) -> Mask {

@@ -172,5 +172,52 @@ macro_rules! arithmetic {
 #[cfg(target_arch = "x86_64")]
 use arithmetic;
 
+/// Members of [`Lanes`] that are one instruction or two, whatever the width.
+#[cfg(target_arch = "x86_64")]
+macro_rules! plain_members {
+    ($all:ident, $read:ident, $write:ident, $root:ident, $and:ident, $and_not:ident, $or:ident) => {
+        #[inline(always)]
+        fn all(x: f64) -> Self {
+            // SAFETY: lanes of this width exist only where the processor has them.
+            Self(unsafe { $all(x) })
+        }
+
+        #[inline(always)]
+        unsafe fn read(from: *const f64) -> Self {
+            // SAFETY: as above, and the caller's.
+            Self(unsafe { $read(from) })
+        }
+
+        #[inline(always)]
+        unsafe fn write(self, to: *mut f64) {
+            // SAFETY: as above, and the caller's.
+            unsafe { $write(to, self.0) }
+        }
+
+        #[inline(always)]
+        fn sqrt(self) -> Self {
+            // SAFETY: as above.
+            Self(unsafe { $root(self.0) })
+        }
+
+        #[inline(always)]
+        fn abs(self) -> Self {
+            // SAFETY: as above.
+            Self(unsafe { $and_not($all(-0.0), self.0) })
+        }
+
+        #[inline(always)]
+        fn copysign(self, sign: Self) -> Self {
+            // SAFETY: as above.
+            unsafe {
+                let bit = $all(-0.0);
+                Self($or($and_not(bit, self.0), $and(bit, sign.0)))
+            }
+        }
+    };
+}
+#[cfg(target_arch = "x86_64")]
+use plain_members;
+
 #[cfg(test)]
 mod tests;

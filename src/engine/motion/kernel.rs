@@ -8,7 +8,7 @@
 )]
 
 use super::drag::{Drag, Free};
-use super::{Inputs, Watch};
+use super::{Inputs, Stretch, Watch};
 #[cfg(target_arch = "x86_64")]
 use crate::engine::lanes::Four;
 use crate::engine::lanes::{Isa, Plain, Quad};
@@ -18,50 +18,37 @@ use crate::engine::particles::{Row, Sum};
 const SECOND: [f64; 4] = [-1.0, -1.0, 1.0, -1.0];
 
 /// Sums the contact forces (unless that was done) and moves every particle of a stretch.
-pub(super) fn advance(
-    inputs: &Inputs<'_>,
-    first: usize,
-    rows: &mut [Row],
-    force: &mut [Sum],
-) -> Watch {
+pub(super) fn advance(inputs: &Inputs<'_>, stretch: &mut Stretch<'_>) -> Watch {
     match inputs.drag {
-        None => damped(inputs, Free, first, rows, force),
-        Some(drag) => damped(inputs, drag, first, rows, force),
+        None => damped(inputs, Free, stretch),
+        Some(drag) => damped(inputs, drag, stretch),
     }
 }
 
 /// Sums the contact forces only.
-pub(super) fn sum(inputs: &Inputs<'_>, first: usize, rows: &mut [Row], force: &mut [Sum]) -> Watch {
-    chosen::<Free, true, true, false>(inputs, Free, first, rows, force)
+pub(super) fn sum(inputs: &Inputs<'_>, stretch: &mut Stretch<'_>) -> Watch {
+    chosen::<Free, true, true, false>(inputs, Free, stretch)
 }
 
-fn damped<D: Drag>(
-    inputs: &Inputs<'_>,
-    drag: D,
-    first: usize,
-    rows: &mut [Row],
-    force: &mut [Sum],
-) -> Watch {
+fn damped<D: Drag>(inputs: &Inputs<'_>, drag: D, stretch: &mut Stretch<'_>) -> Watch {
     match (inputs.settled, inputs.fracc) {
-        (true, _) => chosen::<D, false, false, true>(inputs, drag, first, rows, force),
-        (false, false) => chosen::<D, true, false, true>(inputs, drag, first, rows, force),
-        (false, true) => chosen::<D, true, true, true>(inputs, drag, first, rows, force),
+        (true, _) => chosen::<D, false, false, true>(inputs, drag, stretch),
+        (false, false) => chosen::<D, true, false, true>(inputs, drag, stretch),
+        (false, true) => chosen::<D, true, true, true>(inputs, drag, stretch),
     }
 }
 
 fn chosen<D: Drag, const GATHER: bool, const FRACC: bool, const MOVE: bool>(
     inputs: &Inputs<'_>,
     drag: D,
-    first: usize,
-    rows: &mut [Row],
-    force: &mut [Sum],
+    stretch: &mut Stretch<'_>,
 ) -> Watch {
     #[cfg(target_arch = "x86_64")]
     if inputs.isa >= Isa::Avx2 && Isa::Avx2.is_here() {
         // SAFETY: the processor has it.
-        return unsafe { with_four::<D, GATHER, FRACC, MOVE>(inputs, drag, first, rows, force) };
+        return unsafe { with_four::<D, GATHER, FRACC, MOVE>(inputs, drag, stretch) };
     }
-    run::<Plain, D, GATHER, FRACC, MOVE>(inputs, drag, first, rows, force)
+    run::<Plain, D, GATHER, FRACC, MOVE>(inputs, drag, stretch)
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -69,11 +56,9 @@ fn chosen<D: Drag, const GATHER: bool, const FRACC: bool, const MOVE: bool>(
 fn with_four<D: Drag, const GATHER: bool, const FRACC: bool, const MOVE: bool>(
     inputs: &Inputs<'_>,
     drag: D,
-    first: usize,
-    rows: &mut [Row],
-    force: &mut [Sum],
+    stretch: &mut Stretch<'_>,
 ) -> Watch {
-    run::<Four, D, GATHER, FRACC, MOVE>(inputs, drag, first, rows, force)
+    run::<Four, D, GATHER, FRACC, MOVE>(inputs, drag, stretch)
 }
 
 /// What one particle leaves to be watched.
@@ -90,10 +75,9 @@ struct Seen<Q> {
 fn run<Q: Quad, D: Drag, const GATHER: bool, const FRACC: bool, const MOVE: bool>(
     inputs: &Inputs<'_>,
     drag: D,
-    first: usize,
-    rows: &mut [Row],
-    force: &mut [Sum],
+    stretch: &mut Stretch<'_>,
 ) -> Watch {
+    let Stretch { first, rows, force } = stretch;
     let mut watched = Watched::<Q>::new();
     // A particle that is not there: at rest, of radius one, under no force.
     let nobody = Seen {
@@ -102,7 +86,7 @@ fn run<Q: Quad, D: Drag, const GATHER: bool, const FRACC: bool, const MOVE: bool
         change: Q::all(0.0),
     };
     let count = rows.len().min(force.len());
-    let (mut k, mut p) = (0, first);
+    let (mut k, mut p) = (0, *first);
     while k < count {
         let mut seen = [nobody; 4];
         let mut gains = [0.0; 8];
@@ -175,19 +159,13 @@ fn one<Q: Quad, D: Drag, const GATHER: bool, const FRACC: bool, const MOVE: bool
                     size = size + slot.abs();
                 }
             }
-            let [own, walls] = whose.first(p);
-            for k in own {
-                let slot = Q::read(slots.add(k).cast());
-                new = new + slot;
-                if FRACC {
-                    size = size + slot.abs();
-                }
-            }
-            for k in walls {
-                let slot = Q::read(slots.add(k).cast());
-                new = new + slot;
-                if FRACC {
-                    size = size + slot.abs();
+            for contacts in whose.first(p) {
+                for k in contacts {
+                    let slot = Q::read(slots.add(k).cast());
+                    new = new + slot;
+                    if FRACC {
+                        size = size + slot.abs();
+                    }
                 }
             }
             if contacts.rolls {

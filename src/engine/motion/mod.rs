@@ -67,11 +67,12 @@ pub(super) struct Inputs<'a> {
     pub(super) isa: Isa,
 }
 
+/// Particles of one thread.
 struct Stretch<'a> {
+    /// Index of its first particle.
     first: usize,
     rows: &'a mut [Row],
     force: &'a mut [Sum],
-    watch: Watch,
 }
 
 /// Sums the contact forces (unless that was done) and moves every particle by one step.
@@ -82,13 +83,7 @@ pub(super) fn advance(
     threads: &Threads,
 ) -> Watch {
     in_stretches(rows, force, threads, |stretch| {
-        let Stretch {
-            first,
-            rows,
-            force,
-            watch,
-        } = stretch;
-        *watch = kernel::advance(&inputs, *first, rows, force);
+        kernel::advance(&inputs, stretch)
     })
 }
 
@@ -100,13 +95,7 @@ pub(super) fn settle(
     threads: &Threads,
 ) -> Watch {
     in_stretches(rows, force, threads, |stretch| {
-        let Stretch {
-            first,
-            rows,
-            force,
-            watch,
-        } = stretch;
-        *watch = kernel::sum(&inputs, *first, rows, force);
+        kernel::sum(&inputs, stretch)
     })
 }
 
@@ -114,7 +103,7 @@ fn in_stretches(
     rows: &mut [Row],
     force: &mut [Sum],
     threads: &Threads,
-    work: impl Fn(&mut Stretch<'_>) + Sync,
+    work: impl Fn(&mut Stretch<'_>) -> Watch + Sync,
 ) -> Watch {
     let total = rows.len();
     let parts = threads.parts(total);
@@ -122,38 +111,31 @@ fn in_stretches(
         first: 0,
         rows,
         force,
-        watch: Watch::NOTHING,
     };
     if parts == 1 {
-        work(&mut rest);
-        return rest.watch;
+        return work(&mut rest);
     }
-    let mut jobs: [Option<Stretch<'_>>; MAX_THREADS] = [const { None }; MAX_THREADS];
+    let mut jobs: [Option<(Stretch<'_>, Watch)>; MAX_THREADS] = [const { None }; MAX_THREADS];
     for (part, job) in jobs.iter_mut().enumerate().take(parts) {
         let n = share(total, parts, part).len();
         let (rows, rows_rest) = rest.rows.split_at_mut(n);
         let (force, force_rest) = rest.force.split_at_mut(n);
-        *job = Some(Stretch {
-            first: rest.first,
-            rows,
-            force,
-            watch: Watch::NOTHING,
-        });
+        let first = rest.first;
+        *job = Some((Stretch { first, rows, force }, Watch::NOTHING));
         rest = Stretch {
-            first: rest.first + n,
+            first: first + n,
             rows: rows_rest,
             force: force_rest,
-            watch: Watch::NOTHING,
         };
     }
     threads.run(&mut jobs[..parts], |job| {
-        if let Some(stretch) = job {
-            work(stretch);
+        if let Some((stretch, watch)) = job {
+            *watch = work(stretch);
         }
     });
     jobs.iter()
         .flatten()
-        .fold(Watch::NOTHING, |all, stretch| all.and(stretch.watch))
+        .fold(Watch::NOTHING, |all, (_, watch)| all.and(*watch))
 }
 
 /// FRACC from its fourth power.

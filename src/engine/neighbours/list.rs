@@ -32,6 +32,7 @@ pub struct ContactList {
     /// How each contact stands.
     pub status: Vec<Status>,
     /// Which contacts are whose.
+    #[serde(skip)]
     whose: Whose,
     /// Centres when the list was made.
     reference: Vec<[f64; 2]>,
@@ -187,6 +188,26 @@ impl ContactList {
         std::mem::swap(&mut self.walls, &mut work.walls);
     }
 
+    /// After reading a checkpoint: works out whose contacts are whose. False if the list is not one of
+    /// so many particles and walls: loops rely on it.
+    #[must_use]
+    pub(in crate::engine) fn unpack(&mut self, particles: usize, walls: usize) -> bool {
+        let [pairs, at_walls, all] = [self.pairs.len(), self.walls.len(), self.len()];
+        let known = |p: u32| (p as usize) < particles;
+        let fits = self.pairs.is_sorted_by_key(|pair| pair[0])
+            && self.pairs.iter().flatten().all(|&p| known(p))
+            && self.walls.is_sorted_by_key(|wall| wall.particle)
+            && (self.walls.iter()).all(|at| known(at.particle) && (at.wall as usize) < walls)
+            && (self.images.is_empty() || self.images.len() == pairs)
+            && [self.slots.len(), self.status.len()] == [all; 2]
+            && self.touches.len() == at_walls;
+        if fits {
+            let room = Self::room(particles);
+            self.whose.note(particles, &self.pairs, &self.walls, room);
+        }
+        fits
+    }
+
     /// Contact numbers of a particle, and whether it is the second body there: ascending partners,
     /// then walls.
     pub fn of(&self, p: usize) -> impl Iterator<Item = (usize, bool)> + '_ {
@@ -323,4 +344,26 @@ fn chosen<T: Copy>(items: &[T], keep: &[bool]) -> Vec<T> {
         .filter(|(_, keep)| **keep)
         .map(|(item, _)| *item)
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_list_of_another_world_is_refused() {
+        let list = |pairs: &[[u32; 2]]| ContactList {
+            pairs: pairs.to_vec(),
+            slots: vec![Slot::default(); pairs.len()],
+            status: vec![Status::Apart; pairs.len()],
+            ..ContactList::default()
+        };
+        assert!(list(&[[0, 1], [0, 2], [1, 2]]).unpack(3, 0));
+        // A particle that is not there, another order, and a slot too few.
+        assert!(!list(&[[0, 1], [0, 2], [1, 2]]).unpack(2, 0));
+        assert!(!list(&[[1, 2], [0, 1]]).unpack(3, 0));
+        let mut short = list(&[[0, 1], [1, 2]]);
+        short.slots.pop();
+        assert!(!short.unpack(3, 0));
+    }
 }

@@ -5,12 +5,10 @@
 
 use std::ops::Range;
 
-use serde::{Deserialize, Serialize};
-
 use crate::engine::wall_contact::WallPair;
 
 /// The contacts of each particle.
-#[derive(Debug, Default, Serialize, Deserialize)]
+#[derive(Debug, Default)]
 pub(in crate::engine) struct Whose {
     /// First pair of each particle with a higher one.
     own: Vec<u32>,

@@ -1,7 +1,8 @@
 //! What becomes of a memory when friction is lowered under load.
 
-use super::partial::{Partial, Slip};
+use super::partial::Partial;
 use super::polyline::{Diagram, Node, ORIGIN};
+use crate::engine::contact::each::Slipped;
 
 impl Partial {
     /// Lets a memory of higher friction slip to the present one while the bodies stand still.
@@ -12,12 +13,12 @@ impl Partial {
     /// and nowhere else, which no diagram can tell; taken up elsewhere it would raise the force. Then
     /// the displacement is given up, and if that is not enough all is scaled down to the limit: force
     /// and energy never rise. No work is done from outside: what the energy falls by is lost.
-    pub(super) fn weaken<const M: usize>(&self, memory: &mut Diagram<M>) -> Slip {
+    pub(super) fn weaken<const M: usize>(&self, memory: &mut Diagram<M>) -> Slipped {
         let old = *memory;
         memory.friction = self.friction;
         let steepest = self.steepest(&old);
         if steepest <= self.friction {
-            return Slip::default();
+            return Slipped::default();
         }
         let (stored, force) = (self.energy(&old), old.top().force.abs());
         let rises =
@@ -39,7 +40,7 @@ impl Partial {
         }
         let lost = stored - self.energy(memory);
         let (gross, micro) = if sliding { (lost, 0.0) } else { (0.0, lost) };
-        Slip {
+        Slipped {
             force: memory.top().force,
             gross,
             micro,

@@ -53,5 +53,5 @@ mod tests;
 mod view;
 
 pub use lanes::PartialLanes;
-pub use partial::{Partial, Slip};
+pub use partial::Partial;
 pub use polyline::Diagram;

@@ -1,6 +1,7 @@
 //! One contact with partial slip and its step.
 
 use super::polyline::{Diagram, Node, ORIGIN};
+use crate::engine::contact::each::Slipped;
 use crate::engine::contact::numbers::{Numbers, Reading, Writing, Written};
 
 /// Parameters of one contact, prepared once per pair and rebuild.
@@ -49,19 +50,6 @@ impl Written<f64> for Partial {
     }
 }
 
-/// What a step answers.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Slip {
-    /// Tangential force T [N].
-    pub force: f64,
-    /// Energy lost by slip of the whole contact [J].
-    pub gross: f64,
-    /// Energy lost by slip of outer annuli while the inside sticks, and by dropping nodes [J].
-    pub micro: f64,
-    /// Whether the whole contact slid.
-    pub sliding: bool,
-}
-
 impl Partial {
     /// From (4/3) E* √R* [N/m^1.5], E*/(4 G*) [-], the friction coefficient [-] and the number of
     /// nodes to remember (at least 1, at most what the memory holds).
@@ -104,12 +92,17 @@ impl Partial {
     /// Lower friction than in the step before lets the memory slip first. Without an overlap the
     /// contact is lost as in [`Partial::part`].
     #[inline]
-    pub fn advance<const M: usize>(&self, overlap: f64, d: f64, memory: &mut Diagram<M>) -> Slip {
+    pub fn advance<const M: usize>(
+        &self,
+        overlap: f64,
+        d: f64,
+        memory: &mut Diagram<M>,
+    ) -> Slipped {
         if overlap.is_nan() || overlap <= 0.0 {
             let gross = self.part(d, memory);
-            return Slip {
+            return Slipped {
                 gross,
-                ..Slip::default()
+                ..Slipped::default()
             };
         }
         if self.friction != memory.friction || self.friction == 0.0 {
@@ -130,11 +123,11 @@ impl Partial {
         overlap: f64,
         d: f64,
         memory: &mut Diagram<M>,
-    ) -> Slip {
+    ) -> Slipped {
         let before = if self.friction < memory.friction {
             self.weaken(memory)
         } else {
-            Slip::default()
+            Slipped::default()
         };
         memory.friction = self.friction;
         if self.friction == 0.0 {
@@ -142,14 +135,14 @@ impl Partial {
                 root: overlap.sqrt(),
                 ..ORIGIN
             });
-            return Slip {
+            return Slipped {
                 force: 0.0,
                 sliding: false,
                 ..before
             };
         }
         let after = self.step::<M, true>(overlap.sqrt(), d * self.per_compliance, memory);
-        Slip {
+        Slipped {
             gross: before.gross + after.gross,
             micro: before.micro + after.micro,
             sliding: before.sliding || after.sliding,
@@ -186,16 +179,16 @@ impl Partial {
         root: f64,
         shift: f64,
         memory: &mut Diagram<M>,
-    ) -> Slip {
+    ) -> Slipped {
         let top = memory.top();
         let growth = root * root - top.overlap();
         if shift.abs() > self.friction * growth {
             return self.slip::<M, BOOK>(root, top.shift + shift, memory);
         }
         if growth == 0.0 {
-            return Slip {
+            return Slipped {
                 force: top.force,
-                ..Slip::default()
+                ..Slipped::default()
             };
         }
         // (N' - N)/(α' - α) without a difference of neighbours.
@@ -217,12 +210,12 @@ impl Partial {
         end: Node,
         micro: f64,
         memory: &mut Diagram<M>,
-    ) -> Slip {
+    ) -> Slipped {
         let forgotten = memory.finish(end, self.most(M), BOOK);
-        Slip {
+        Slipped {
             force: end.force,
             micro: micro + self.compliance * forgotten,
-            ..Slip::default()
+            ..Slipped::default()
         }
     }
 }

@@ -1,8 +1,9 @@
 //! A step with slip: a slip front that moves from the edge inwards.
 
-use super::partial::{Partial, Slip};
+use super::partial::Partial;
 use super::polyline::{Diagram, Node};
 use super::sweep::{mean_depth, mean_gap, mean_load};
+use crate::engine::contact::each::Slipped;
 
 /// Share of a step's slip below which a swept segment is rounding: a zone that goes on slipping.
 const ROUNDING: f64 = 1e-12;
@@ -105,7 +106,7 @@ impl Partial {
         root: f64,
         target: f64,
         memory: &mut Diagram<M>,
-    ) -> Slip {
+    ) -> Slipped {
         // Where the polyline is at the new overlap says which way the rest has to go.
         let top = memory.top();
         let (here, inside) = if root < top.root {
@@ -152,7 +153,7 @@ impl Partial {
         root: f64,
         target: f64,
         memory: &mut Diagram<M>,
-    ) -> Slip {
+    ) -> Slipped {
         let (outer, end) = (front.outer, front.end);
         let height = front.height(&inner);
         // Share of the segment, from its inner end, that is left of it.
@@ -188,7 +189,7 @@ impl Partial {
         front: &Front<BOOK>,
         root: f64,
         memory: &mut Diagram<M>,
-    ) -> Slip {
+    ) -> Slipped {
         let limit = front.sign * self.friction;
         let end = Node {
             root,
@@ -204,7 +205,7 @@ impl Partial {
         } else {
             0.0
         };
-        Slip {
+        Slipped {
             force: end.force,
             gross,
             micro: self.slip_work(front),

@@ -42,6 +42,7 @@ mod view;
 
 use serde::{Deserialize, Serialize};
 
+use super::each::Slipped;
 use super::numbers::{Numbers, Reading, Writing, Written};
 use curves::Run;
 
@@ -50,20 +51,6 @@ use curves::Run;
 /// search over cycles of three or four corners whose overlap varies up to tenfold. No error of the
 /// step, but a property of the law; with more corners a turn gives more.
 pub const WORST_GAIN: f64 = 0.44;
-
-/// What a step did.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Slip {
-    /// Force at the end of the step [N].
-    pub force: f64,
-    /// Energy lost by sliding of the whole contact [J].
-    pub gross: f64,
-    /// Energy lost by slip in annuli of the contact [J]; negative while a nested loop is run
-    /// backwards, see `energy.rs`.
-    pub micro: f64,
-    /// Whether the whole contact slid.
-    pub sliding: bool,
-}
 
 /// The curve that the force is on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -261,10 +248,10 @@ impl TwoReversals {
 
     /// One step to this overlap with the tangential displacement d [m].
     #[inline]
-    pub fn advance(&self, overlap: f64, d: f64, memory: &mut Reversals) -> Slip {
+    pub fn advance(&self, overlap: f64, d: f64, memory: &mut Reversals) -> Slipped {
         if overlap <= 0.0 || self.friction <= 0.0 {
             *memory = Reversals::default();
-            return Slip::default();
+            return Slipped::default();
         }
         let (before, size) = (self.size(memory.overlap), self.size(overlap));
         memory.overlap = overlap;
@@ -317,7 +304,7 @@ impl TwoReversals {
         } else {
             memory.settle(direction, progress);
         }
-        Slip {
+        Slipped {
             force: memory.force,
             gross: 0.5 * (before.limit + size.limit) * run.slid,
             micro: size.limit * size.slide * run.losses,
@@ -413,7 +400,7 @@ mod tests {
         assert!(held > 0.0 && lost < held);
         assert_eq!(memory, Reversals::default());
         memory = law().seed(1.0, 0.4);
-        assert_eq!(law().advance(0.0, 0.1, &mut memory), Slip::default());
+        assert_eq!(law().advance(0.0, 0.1, &mut memory), Slipped::default());
         assert_eq!(memory, Reversals::default());
     }
 
@@ -429,7 +416,7 @@ mod tests {
     fn nothing_without_friction() {
         let law = TwoReversals::new(0.75, 0.75 / 4.0, 1.0, 0.0);
         let mut memory = law.seed(1.0, 1.0);
-        assert_eq!(law.advance(1.0, 0.5, &mut memory), Slip::default());
+        assert_eq!(law.advance(1.0, 0.5, &mut memory), Slipped::default());
         assert_eq!(
             (law.energy(&memory), law.part(0.1, &mut memory)),
             (0.0, 0.0)
