@@ -60,7 +60,8 @@ pub(super) fn bench(options: &Bench) -> u8 {
         None => {}
     }
     let mut text = format!("{}\n\n", machine());
-    text += &aligned(&rows(&all), 3, rows(&all)[0].len()).join("\n");
+    let rows = rows(&all);
+    text += &aligned(&rows, 3, rows[0].len()).join("\n");
     text += "\n\nrates are in wall time; busy: share of it with a processor for each thread, 1 on a quiet machine; updates \
              are of touching contacts; list lasts: cycles until pairs are looked for again\n";
     print(&text)

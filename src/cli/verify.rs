@@ -304,17 +304,17 @@ mod tests {
                 "stage.shear.max_cycles=1000".into(),
                 format!("model.seed={seed}"),
             ];
-            Scene::load("constant-mean-stress", &set).unwrap()
+            Scene::load("constant-mean-stress", &set).expect("it is embedded")
         };
-        let (first, sample) = estimate(&scene(918_273), 1, &[]).unwrap();
+        let (first, sample) = estimate(&scene(918_273), 1, &[]).expect("its stages end");
         let prepared = [sample.expect("it has to be prepared")];
         // A thousand cycles of its own, against at most nine hundred thousand of the sample.
-        let (second, sample) = estimate(&scene(918_273), 1, &prepared).unwrap();
+        let (second, sample) = estimate(&scene(918_273), 1, &prepared).expect("its stages end");
         assert!(sample.is_none() && second < 0.1 * first, "{second} {first}");
         // Another seed is another sample, and so are several.
-        let (other, sample) = estimate(&scene(918_274), 1, &prepared).unwrap();
+        let (other, sample) = estimate(&scene(918_274), 1, &prepared).expect("its stages end");
         assert!(sample.is_some() && second < 0.1 * other, "{second} {other}");
-        let (several, sample) = estimate(&scene(918_273), 2, &prepared).unwrap();
+        let (several, sample) = estimate(&scene(918_273), 2, &prepared).expect("its stages end");
         assert!(
             sample.is_some() && second < 0.1 * several,
             "{second} {several}"

@@ -10,10 +10,9 @@ pub fn machine() -> String {
         (key.trim() == "model name").then(|| value.trim().to_owned())
     });
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    format!(
-        "{}, {cores} cores",
-        name.unwrap_or_else(|| "unknown processor".into())
-    )
+    let plural = if cores == 1 { "" } else { "s" };
+    let name = name.unwrap_or_else(|| "unknown processor".into());
+    format!("{name}, {cores} core{plural}")
 }
 
 /// Most memory this process had so far [bytes].
