@@ -9,6 +9,7 @@ mod common;
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
+use std::path::Path;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 
 use ballast::engine::World;
@@ -17,6 +18,8 @@ use ballast::engine::setup::{
     Body, BoundarySetup, Damping, Dashpot, Gravity, Setup, TimeStepChoice,
 };
 use ballast::engine::wall_contact::{WallPair, WallTouch};
+use ballast::scene::Scene;
+use ballast::session::{Budget, Options, Session};
 use common::*;
 
 /// The system's allocator, counting.
@@ -24,8 +27,9 @@ struct Counting;
 
 static REQUESTS: AtomicU64 = AtomicU64::new(0);
 
-/// Bytes that are lent.
+/// Bytes that are lent, and the most that were since somebody last asked.
 static LENT: AtomicUsize = AtomicUsize::new(0);
+static PEAK: AtomicUsize = AtomicUsize::new(0);
 
 /// Whether the process has begun.
 static BEGUN: AtomicBool = AtomicBool::new(false);
@@ -45,13 +49,18 @@ impl Counting {
             REQUESTS.fetch_add(1, Ordering::Relaxed);
         }
     }
+
+    fn lend(bytes: usize) {
+        let lent = LENT.fetch_add(bytes, Ordering::Relaxed) + bytes;
+        PEAK.fetch_max(lent, Ordering::Relaxed);
+    }
 }
 
 // SAFETY: every call goes to the system's allocator unchanged.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         Self::count();
-        LENT.fetch_add(layout.size(), Ordering::Relaxed);
+        Self::lend(layout.size());
         // SAFETY: the caller keeps the contract of `alloc`.
         unsafe { System.alloc(layout) }
     }
@@ -66,7 +75,7 @@ unsafe impl GlobalAlloc for Counting {
     // SAFETY: as above, unchanged.
     unsafe fn realloc(&self, at: *mut u8, layout: Layout, size: usize) -> *mut u8 {
         Self::count();
-        LENT.fetch_add(size, Ordering::Relaxed);
+        Self::lend(size);
         LENT.fetch_sub(layout.size(), Ordering::Relaxed);
         // SAFETY: `at` came from `alloc` above, that is from the system.
         unsafe { System.realloc(at, layout, size) }
@@ -199,6 +208,80 @@ fn the_bytes_that_check_prints_are_those_lent() {
     }
 }
 
+/// Discs at random: their places cannot be compressed.
+const CROWD: &str = r#"
+[model]
+law = "linear"
+body = "disc"
+gravity = [0.0, -9.81]
+[material.sand]
+density = 2650.0
+normal_stiffness = 1e6
+shear_stiffness = 6e5
+friction = 0.4
+[[generate]]
+in = { rectangle = { min = [0.0, 0.0], max = [0.5, 0.5] } }
+material = "sand"
+grading = [{ radius = 0.5e-3, count = 100_000 }]
+[history]
+columns = ["kinetic"]
+[[stage]]
+name = "first"
+max_cycles = 1
+[[stage]]
+name = "second"
+max_cycles = 1
+[[stage]]
+name = "third"
+max_cycles = 1
+"#;
+
+/// Most bytes that a run needs besides what it has, while two stages begin and a good state is kept at
+/// each, and while it is saved; and bytes of its world.
+fn needed(beside: Option<&Path>, saved: &Path) -> [usize; 2] {
+    let scene = Scene::parse("crowd", CROWD, &[]).expect("it is accepted");
+    let options = Options {
+        threads: 1,
+        ..Options::default()
+    };
+    let mut session = Session::open(scene, options).expect("it opens");
+    if let Some(beside) = beside {
+        session.write_dumps(beside);
+    }
+    let until = |cycle| Budget {
+        until_cycle: Some(cycle),
+        time: None,
+    };
+    session.advance(until(1), false).expect("it runs");
+    let before = LENT.load(Ordering::Relaxed);
+    PEAK.store(before, Ordering::Relaxed);
+    session.advance(until(3), false).expect("it runs");
+    assert_eq!(session.safe_cycle(), Some(2));
+    session.save(saved).expect("it can be written");
+    let world = session.world();
+    let bytes = world.bytes();
+    let has = bytes.particle * world.particles().len() + bytes.contact * world.contacts().len();
+    [PEAK.load(Ordering::Relaxed) - before, has]
+}
+
+/// A good state to go back to is kept beside the run's files, not in memory, and a checkpoint goes to
+/// its file as it is made; so a large world needs no second place.
+fn a_large_state_is_kept_in_no_memory() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let saved = folder.path().join("saved.ballast");
+    let [on_disk, world] = needed(Some(&folder.path().join("run.csv")), &saved);
+    assert!(world > 20 << 20, "{world}");
+    // A mebibyte before it goes to its file, doubled as it grows, and some buffers.
+    assert!(on_disk < 3 << 20, "{on_disk}");
+    let compressed = std::fs::metadata(&saved).expect("it is there").len() as usize;
+    assert!(compressed > 3 << 20 && on_disk < compressed, "{compressed}");
+    // Where there is no place for a file, nothing is lost.
+    let [in_memory, _] = needed(None, &saved);
+    assert!(in_memory > compressed, "{in_memory} {compressed}");
+    let session = Session::resume(&saved, 1).expect("it is a checkpoint");
+    assert_eq!(session.world().cycle_number(), 3);
+}
+
 // One test only: the counter counts the whole process, but for the harness.
 #[test]
 fn no_cycle_asks_for_memory() {
@@ -247,4 +330,5 @@ fn no_cycle_asks_for_memory() {
         assert_eq!(asked, 0, "{boundary:?} {loaded}");
     }
     the_bytes_that_check_prints_are_those_lent();
+    a_large_state_is_kept_in_no_memory();
 }

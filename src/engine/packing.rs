@@ -4,8 +4,10 @@ use super::World;
 use super::threads::Threads;
 
 impl World {
-    /// Ready to be written to a checkpoint: takes the contact memory along.
+    /// Ready to be written to a checkpoint: takes the contact memory along, in place of what the next
+    /// search for neighbours will need.
     pub fn pack(&mut self) {
+        self.contacts.release();
         self.memory = self
             .pass
             .as_ref()

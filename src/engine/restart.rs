@@ -29,12 +29,8 @@ pub(super) fn number(ids: &[u32], p: usize) -> u32 {
 
 impl World {
     /// Builds the world of a setup, particles numbered from 1, and evaluates its first forces.
-    #[expect(
-        clippy::needless_pass_by_value,
-        reason = "who builds from particles numbered anew has no use for them any more"
-    )]
     pub fn build(setup: Setup, threads: usize) -> Result<Self, Fault> {
-        Self::build_from(&setup, &Brought::default(), threads)
+        Self::build_from(setup, &Brought::default(), threads)
     }
 
     /// The particles as they are placed, with their numbers and the indices of their materials here:

@@ -93,7 +93,7 @@ pub struct FraccMonitor {
 impl World {
     /// The same with what a sample brings besides its particles and walls.
     /// `threads` 0: as many as suit its size.
-    pub fn build_from(setup: &Setup, brought: &Brought, threads: usize) -> Result<Self, Fault> {
+    pub fn build_from(mut setup: Setup, brought: &Brought, threads: usize) -> Result<Self, Fault> {
         let ids = brought.numbers.as_slice();
         let origin = far_origin(&setup.particles);
         let mut particles = Particles::default();
@@ -103,12 +103,15 @@ impl World {
             let mass = Inertia::of(setup.body, particle.radius, density);
             particles.push(number(ids, p), particle, origin, mass);
         }
+        // A large scene has no room for them twice.
+        setup.particles = Vec::new();
         let walls = setup.walls.iter().map(|w| Wall::new(w, origin)).collect();
+        let count = particles.len();
         let smallest = particles.smallest_radius();
         let tol = setup.tol.unwrap_or(0.1 * smallest);
         let [low, high] = particles.extent();
         let size = (high[0] - low[0]).max(high[1] - low[1]).max(0.0) + 2.0 * smallest;
-        let pairs = PairTable::new(setup);
+        let pairs = PairTable::new(&setup);
         let rate = setup.strain_rate;
         let own = setup
             .boundary
@@ -123,7 +126,7 @@ impl World {
             dt: f64::NAN,
             base_step: f64::NAN,
             first_kick: true,
-            next_id: number(ids, particles.len()),
+            next_id: number(ids, count),
             turning: false,
             broken: None,
             misplaced: None,
@@ -143,7 +146,7 @@ impl World {
             seen: Seen::default(),
             loads: Vec::new(),
             pass: None,
-            threads: Threads::team(threads, setup.particles.len()),
+            threads: Threads::team(threads, count),
             isa: Isa::default(),
             clock: None,
             model: setup.without_bodies(),

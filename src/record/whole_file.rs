@@ -2,17 +2,33 @@
 //! the disk, then given its name. Whoever looks finds the old version or the new one.
 
 use std::fs::{self, File, Permissions};
-use std::io::{self, Write};
+use std::io::{self, Cursor, Seek, Write};
 use std::os::unix::fs::PermissionsExt;
 use std::path::Path;
 
 use super::error::{Attempt, RecordError, folder_of};
 
-/// Puts `bytes` in the place of whatever `path` held.
+/// Puts `bytes` in the place of whatever `path` held, as [`write_with`] does.
+pub fn write(path: &Path, bytes: &[u8]) -> Result<(), RecordError> {
+    write_with(path, |to| {
+        to.write_all(bytes)
+            .map_err(|error| RecordError::new(path, Attempt::Write, error))
+    })
+}
+
+/// Where a file is written: positions count from its beginning.
+pub trait Target: Write + Seek {}
+
+impl<T: Write + Seek> Target for T {}
+
+/// Puts what `fill` writes in the place of whatever `path` held.
 ///
 /// A link is followed. A device or pipe is written to, not replaced. A file that is replaced keeps
 /// its mode; a new one gets the usual mode of this user, not the secretive one of temporary files.
-pub fn write(path: &Path, bytes: &[u8]) -> Result<(), RecordError> {
+pub fn write_with(
+    path: &Path,
+    fill: impl FnOnce(&mut dyn Target) -> Result<(), RecordError>,
+) -> Result<(), RecordError> {
     // Through a link to the file it stands for; a path that leads nowhere yet is taken as it is.
     let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
     let old = fs::metadata(&target).ok();
@@ -20,10 +36,12 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), RecordError> {
         .as_ref()
         .is_some_and(|old| !old.is_file() && !old.is_dir());
     if special {
+        let mut bytes = Cursor::new(Vec::new());
+        fill(&mut bytes)?;
         return File::options()
             .write(true)
             .open(&target)
-            .and_then(|mut device| device.write_all(bytes))
+            .and_then(|mut device| device.write_all(bytes.get_ref()))
             .map_err(|error| RecordError::new(path, Attempt::Write, error));
     }
     if old.as_ref().is_some_and(fs::Metadata::is_dir) {
@@ -45,7 +63,7 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), RecordError> {
             .set_permissions(old.permissions())
             .map_err(failed(Attempt::Replace))?;
     }
-    file.write_all(bytes).map_err(failed(Attempt::Write))?;
+    fill(file.as_file_mut())?;
     // Before the rename: else a power cut could leave the new name on an empty file.
     file.as_file().sync_all().map_err(failed(Attempt::Sync))?;
     file.persist(&target)

@@ -106,7 +106,7 @@ pub struct Scene {
     pub overrides: Vec<String>,
     /// What the preset says about itself.
     pub about: About,
-    /// What the world is built from.
+    /// What the world is built from; without particles once it has been built.
     pub setup: Setup,
     /// What each `[[generate]]` placed.
     pub generated: Vec<Generated>,
@@ -212,6 +212,15 @@ impl Scene {
             boundary: kept
                 .filter(|kept| self.setup.boundary == Some(kept.setup()))
                 .cloned(),
+        }
+    }
+
+    /// What the world is built from, with the particles, which the scene does not keep.
+    pub fn take_setup(&mut self) -> Setup {
+        let particles = std::mem::take(&mut self.setup.particles);
+        Setup {
+            particles,
+            ..self.setup.clone()
         }
     }
 

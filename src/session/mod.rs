@@ -15,6 +15,7 @@ mod files;
 pub mod frames;
 mod generate;
 pub mod inspect;
+mod kept;
 pub mod lammps;
 mod opening;
 pub(crate) mod pictures;
@@ -45,6 +46,7 @@ use crate::engine::World;
 use crate::measure::columns::Names;
 use crate::measure::reference::Reference;
 use crate::measure::sample::Sample;
+use crate::record::checkpoint::Aside;
 use crate::record::history::History;
 use crate::record::journal::{Event, EventKind, Journal, JournalWriter};
 use crate::scene::Scene;
@@ -60,7 +62,8 @@ pub struct Session {
     journal: Journal,
     /// Where rows go besides memory.
     csv: Option<History>,
-    /// Path that the names of dumps begin with, if any are written.
+    /// Path that the names of dumps begin with, if any are written; a large state to go back to is put
+    /// in its folder.
     dump_stem: Option<PathBuf>,
     /// Cycle of the last dump: of several states of one cycle the first is kept, as in the history.
     dumped: Option<u64>,
@@ -75,7 +78,7 @@ pub struct Session {
     /// State that displacements are measured from.
     reference: Reference,
     /// Cycle and checkpoint of a good state, for a run that goes wrong.
-    safe: Option<(u64, Vec<u8>)>,
+    safe: Option<(u64, Aside)>,
     /// When the next such state is due.
     safe_due: Option<std::time::Instant>,
     /// No such state is wanted.

@@ -36,8 +36,8 @@ impl Session {
         beat: &mut start::Beat<'_>,
     ) -> Result<Self, RunError> {
         let started = start::resolve(scene, &options, beat)?;
-        let (scene, mut notices) = (started.scene, started.notices);
-        let world = start::world(&scene, &options)?;
+        let (mut scene, mut notices) = (started.scene, started.notices);
+        let world = start::world(&mut scene, &options)?;
         notices.extend(scene.generated.iter().filter_map(Generated::shortfall));
         notices.extend(start::another(&scene, &world));
         let read = scene

@@ -11,7 +11,7 @@ use crate::control::Control;
 use crate::engine::World;
 use crate::language::{Command, Observable};
 use crate::measure::reference::Reference;
-use crate::record::checkpoint::{self, CheckpointFault};
+use crate::record::checkpoint::{self, Aside, CheckpointFault};
 use crate::record::journal::{EventKind, Journal};
 use crate::scene::Scene;
 
@@ -78,14 +78,18 @@ impl Session {
     /// Writes a checkpoint whatever becomes of the rows, for instance because their disk is full: the
     /// checkpoint holds them too.
     pub fn save_state(&mut self, path: &Path) -> Result<(), RunError> {
-        let bytes = self.encode()?;
-        crate::record::whole_file::write(path, &bytes)?;
-        Ok(())
+        Ok(self.saving(|state| checkpoint::write(path, state))?)
     }
 
     pub(super) fn encode(&mut self) -> Result<Vec<u8>, RunError> {
+        self.saving(|state| checkpoint::encode(state))
+            .map_err(|fault| RunError::Misfit(fault.to_string()))
+    }
+
+    /// Hands over what a checkpoint holds.
+    fn saving<R>(&mut self, write: impl FnOnce(&Saving<'_>) -> R) -> R {
         self.world.pack();
-        let bytes = checkpoint::encode(&Saving {
+        let written = write(&Saving {
             journal: &self.journal,
             averages_only: self.averages_only,
             control: &self.control,
@@ -96,19 +100,21 @@ impl Session {
             world: &self.world,
         });
         self.world.unload();
-        bytes.map_err(|fault| RunError::Misfit(fault.to_string()))
+        written
     }
 
     /// Remembers the state at the start of a stage. Not before something was recorded: then the
     /// preset itself is the way back.
     pub(super) fn keep_safe(&mut self) {
         let cycle = self.world.cycle_number();
-        if cycle > 0
-            && self.world.fault().is_none()
-            && !self.expendable
-            && let Ok(bytes) = self.encode()
-        {
-            self.safe = Some((cycle, bytes));
+        if cycle == 0 || self.world.fault().is_some() || self.expendable {
+            return;
+        }
+        let beside = self.dump_stem.clone();
+        let folder = beside.as_deref().and_then(Path::parent);
+        // The old one stays until the new one is whole.
+        if let Ok(state) = self.saving(|state| Aside::of(state, folder)) {
+            self.safe = Some((cycle, state));
         }
     }
 
@@ -129,16 +135,16 @@ impl Session {
     }
 
     /// After a fault: writes the last good state that was kept, if one was, and answers its cycle.
-    pub fn save_safe(&self, path: &Path) -> Result<Option<u64>, RunError> {
-        let Some((cycle, bytes)) = &self.safe else {
+    pub fn save_safe(&mut self, path: &Path) -> Result<Option<u64>, RunError> {
+        let Some((cycle, state)) = &mut self.safe else {
             return Ok(None);
         };
-        crate::record::whole_file::write(path, bytes)?;
+        state.write(path)?;
         Ok(Some(*cycle))
     }
 
     /// After a fault: writes the last good state to this file and says how to go back to it.
-    pub fn way_back(&self, path: &Path) -> Result<Option<String>, RunError> {
+    pub fn way_back(&mut self, path: &Path) -> Result<Option<String>, RunError> {
         if !self.world.is_broken() {
             return Ok(None);
         }

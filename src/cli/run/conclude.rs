@@ -117,7 +117,11 @@ fn failed(session: &mut Session, options: &Run, files: &Files, error: &RunError)
 
 /// Cycle of the latest state before a fault, now in `path`: the start of the stage or a checkpoint
 /// made since.
-fn before_fault(session: &Session, files: &Files, path: &Path) -> Result<Option<u64>, RunError> {
+fn before_fault(
+    session: &mut Session,
+    files: &Files,
+    path: &Path,
+) -> Result<Option<u64>, RunError> {
     let safe = session.safe_cycle();
     if files.saved >= safe {
         return Ok(files.saved);

@@ -4,6 +4,8 @@
     reason = "reads and writes columns by pointer; each use says what it relies on"
 )]
 
+use serde::{Serialize, Serializer};
+
 use super::columns::MOST;
 use super::memory::Memory;
 use super::numbers::{Column, Reading, Writing};
@@ -76,13 +78,15 @@ impl<M: Memory> Memories<M> {
         memory.give(&mut to, &mut self.whole[k]);
     }
 
-    /// All of them.
-    pub(super) fn all(&self) -> Vec<M> {
-        (0..self.len()).map(|k| self.get(k)).collect()
-    }
-
     /// Bytes per contact.
     pub(super) fn bytes() -> usize {
         M::COLUMNS * size_of::<f64>() + size_of::<M::Whole>()
+    }
+}
+
+/// One by one, as a list of memories.
+impl<M: Memory> Serialize for Memories<M> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq((0..self.len()).map(|k| self.get(k)))
     }
 }

@@ -304,7 +304,7 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
     }
 
     fn save(&self) -> Vec<u8> {
-        postcard::to_allocvec(&(self.memory.all(), &self.book)).unwrap_or_default()
+        postcard::to_allocvec(&(&self.memory, &self.book)).unwrap_or_default()
     }
 
     fn load(&mut self, bytes: &[u8]) -> bool {

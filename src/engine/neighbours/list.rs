@@ -140,6 +140,11 @@ impl ContactList {
         std::mem::take(&mut self.work.old)
     }
 
+    /// Gives the buffers of the rebuild away: the next one gets others.
+    pub(in crate::engine) fn release(&mut self) {
+        self.work = Work::default();
+    }
+
     /// Takes the buffer of [`Self::rebuild`] back.
     pub fn give_back(&mut self, old: Vec<u32>) {
         self.work.old = old;
@@ -318,6 +323,12 @@ impl ContactList {
         (0..keep.len() as u32)
             .filter(|&k| keep[k as usize])
             .collect()
+    }
+
+    /// Bytes that a step reads per particle and per contact to find out whose the contacts are.
+    pub(in crate::engine) fn steps() -> [usize; 2] {
+        // Where the pairs of a particle begin, of either kind; and those in which it is the second.
+        [size_of::<[u32; 2]>(), size_of::<u32>()]
     }
 
     /// Bytes of the list per contact and per particle, buffers included, in a periodic cell or not.

@@ -10,16 +10,23 @@
 //!
 //! The form does not describe itself: when what goes into a checkpoint changes, [`FORMAT`] must.
 
+mod aside;
 mod fault;
+mod packing;
+mod unpacking;
 
 use std::fs::File;
-use std::io::{BufWriter, Read, Write};
+use std::io::{self, Cursor, Read};
 use std::path::Path;
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
+pub use aside::Aside;
 pub use fault::CheckpointFault;
+
+use packing::pack;
+use unpacking::read_from;
 
 use super::error::{Attempt, RecordError};
 use super::whole_file;
@@ -37,13 +44,38 @@ const LARGEST: u64 = 4 << 30;
 /// Fastest level of zstd: checkpoints are made in the middle of a run.
 const LEVEL: i32 = 1;
 
-/// What is compressed at a time [bytes].
+/// What is compressed or read at a time [bytes].
 const CHUNK: usize = 1 << 16;
 
-/// Writes `value` to `path`, whole or not at all.
+/// Why a checkpoint was not written or read.
+#[derive(Debug)]
+enum Failure {
+    /// It, or the value, is to blame.
+    Fault(CheckpointFault),
+    /// The operating system refused.
+    Io(io::Error),
+}
+
+impl From<CheckpointFault> for Failure {
+    fn from(fault: CheckpointFault) -> Self {
+        Self::Fault(fault)
+    }
+}
+
+impl From<io::Error> for Failure {
+    fn from(error: io::Error) -> Self {
+        Self::Io(error)
+    }
+}
+
+/// Writes `value` to `path`, whole or not at all, as it comes: nowhere does all of it stand in memory.
 pub fn write<T: Serialize>(path: &Path, value: &T) -> Result<(), RecordError> {
-    let bytes = encode(value).map_err(|fault| named(path, fault))?;
-    whole_file::write(path, &bytes)
+    whole_file::write_with(path, |to| {
+        pack(value, to).map_err(|failure| match failure {
+            Failure::Fault(fault) => named(path, fault),
+            Failure::Io(error) => RecordError::new(path, Attempt::Write, error),
+        })
+    })
 }
 
 /// Reads back what [`write()`] wrote.
@@ -51,99 +83,29 @@ pub fn read<T: DeserializeOwned>(path: &Path) -> Result<T, RecordError> {
     let failed = |attempt| move |error| RecordError::new(path, attempt, error);
     let mut file = File::open(path).map_err(failed(Attempt::Open))?;
     let held = file.metadata().map_err(failed(Attempt::Open))?.len();
-    let mut bytes = Vec::new();
-    let mut start = (&mut file).take(HEADER as u64);
-    start
-        .read_to_end(&mut bytes)
-        .map_err(failed(Attempt::Read))?;
-    // Before the rest is read: a wrong file may be of any size.
-    let header = Header::parse(&bytes).map_err(|fault| named(path, fault))?;
-    header
-        .check_length(held)
-        .map_err(|fault| named(path, fault))?;
-    file.take(header.length)
-        .read_to_end(&mut bytes)
-        .map_err(failed(Attempt::Read))?;
-    decode(&bytes).map_err(|fault| named(path, fault))
+    read_from(&mut file, held).map_err(|failure| match failure {
+        Failure::Fault(fault) => named(path, fault),
+        Failure::Io(error) => RecordError::new(path, Attempt::Read, error),
+    })
 }
 
 /// The bytes of a checkpoint.
 pub fn encode<T: Serialize>(value: &T) -> Result<Vec<u8>, CheckpointFault> {
-    let unwritable = |error: &dyn std::fmt::Display| CheckpointFault::Unwritable(error.to_string());
-    // Compressed as it comes: the content of a large world would need as much memory as the world.
-    let packer = zstd::Encoder::new(vec![0; HEADER], LEVEL).map_err(|error| unwritable(&error))?;
-    let counted = Counted {
-        to: packer,
-        bytes: 0,
-    };
-    let content = postcard::to_io(value, BufWriter::with_capacity(CHUNK, counted))
-        .map_err(|error| unwritable(&error))?;
-    let Counted { to: packer, bytes } = content.into_inner().map_err(|error| unwritable(&error))?;
-    if bytes > LARGEST {
-        return Err(CheckpointFault::TooLarge { bytes });
-    }
-    let mut whole = packer.finish().map_err(|error| unwritable(&error))?;
-    let payload = &whole[HEADER..];
-    let mut header = MAGIC.to_vec();
-    header.extend_from_slice(&FORMAT.to_le_bytes());
-    header.extend_from_slice(&(payload.len() as u64).to_le_bytes());
-    header.extend_from_slice(&crc32fast::hash(payload).to_le_bytes());
-    whole[..HEADER].copy_from_slice(&header);
-    Ok(whole)
-}
-
-/// Counts what goes through [bytes].
-struct Counted<W> {
-    to: W,
-    bytes: u64,
-}
-
-impl<W: Write> Write for Counted<W> {
-    fn write(&mut self, part: &[u8]) -> std::io::Result<usize> {
-        let written = self.to.write(part)?;
-        self.bytes += written as u64;
-        Ok(written)
-    }
-
-    fn flush(&mut self) -> std::io::Result<()> {
-        self.to.flush()
+    let mut bytes = Cursor::new(Vec::new());
+    match pack(value, &mut bytes) {
+        Ok(()) => Ok(bytes.into_inner()),
+        Err(Failure::Fault(fault)) => Err(fault),
+        Err(Failure::Io(error)) => Err(CheckpointFault::Unwritable(error.to_string())),
     }
 }
 
 /// The value in the bytes of a checkpoint.
 pub fn decode<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, CheckpointFault> {
-    let header = Header::parse(bytes)?;
-    header.check_length(bytes.len() as u64)?;
-    let payload = &bytes[HEADER..];
-    if crc32fast::hash(payload) != header.checksum {
-        return Err(CheckpointFault::Checksum);
-    }
-    let content = unpack(payload, LARGEST)?;
-    match postcard::take_from_bytes(&content) {
-        Ok((value, [])) => Ok(value),
-        Ok((_, left)) => Err(CheckpointFault::Content(format!(
-            "{} bytes are left over",
-            left.len()
-        ))),
-        Err(error) => Err(CheckpointFault::Content(error.to_string())),
-    }
-}
-
-fn unpack(payload: &[u8], largest: u64) -> Result<Vec<u8>, CheckpointFault> {
-    let unreadable = |error: std::io::Error| CheckpointFault::Content(error.to_string());
-    let mut content = Vec::new();
-    // Grows with what is there, not with what the frame promises.
-    zstd::Decoder::with_buffer(payload)
-        .map_err(unreadable)?
-        .take(largest + 1)
-        .read_to_end(&mut content)
-        .map_err(unreadable)?;
-    if content.len() as u64 > largest {
-        return Err(CheckpointFault::TooLarge {
-            bytes: content.len() as u64,
-        });
-    }
-    Ok(content)
+    let read = read_from(&mut Cursor::new(bytes), bytes.len() as u64);
+    read.map_err(|failure| match failure {
+        Failure::Fault(fault) => fault,
+        Failure::Io(error) => CheckpointFault::Content(error.to_string()),
+    })
 }
 
 fn named(path: &Path, fault: CheckpointFault) -> RecordError {
@@ -168,6 +130,15 @@ struct Header {
 }
 
 impl Header {
+    fn bytes(&self) -> [u8; HEADER] {
+        let mut bytes = [0; HEADER];
+        bytes[..8].copy_from_slice(MAGIC);
+        bytes[8..12].copy_from_slice(&FORMAT.to_le_bytes());
+        bytes[12..20].copy_from_slice(&self.length.to_le_bytes());
+        bytes[20..].copy_from_slice(&self.checksum.to_le_bytes());
+        bytes
+    }
+
     fn parse(bytes: &[u8]) -> Result<Self, CheckpointFault> {
         let known = bytes.len().min(MAGIC.len());
         if bytes[..known] != MAGIC[..known] {
@@ -223,6 +194,7 @@ mod tests {
 
     use serde::Deserialize;
 
+    use super::unpacking::unpack;
     use super::*;
 
     #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -361,10 +333,14 @@ mod tests {
 
     #[test]
     fn a_small_payload_cannot_unfold_without_end() {
-        let payload = zstd::bulk::compress(&vec![0; 1 << 20], LEVEL).unwrap();
+        let content = postcard::to_allocvec(&vec![0_u8; 1 << 20]).unwrap();
+        let payload = zstd::bulk::compress(&content, LEVEL).unwrap();
         assert!(payload.len() < 1000);
-        assert!(unpack(&payload, 1 << 20).is_ok());
-        let fault = unpack(&payload, 1 << 19).unwrap_err();
-        assert!(matches!(fault, CheckpointFault::TooLarge { .. }), "{fault}");
+        let unpacked = |most: usize| unpack::<Vec<u8>>(&payload[..], most as u64);
+        assert!(unpacked(content.len()).unwrap() == vec![0; 1 << 20]);
+        for most in [content.len() - 1, 1 << 19] {
+            let fault = unpacked(most).unwrap_err();
+            assert!(matches!(fault, CheckpointFault::TooLarge { .. }), "{fault}");
+        }
     }
 }

@@ -102,12 +102,15 @@ fn resolve_at(
     Ok(Started { scene, notices })
 }
 
-/// The world that a scene begins with.
-pub(super) fn world(scene: &Scene, options: &Options) -> Result<World, RunError> {
+/// The world that a scene begins with. Its particles leave the scene: a large one has no room for them
+/// twice.
+pub(super) fn world(scene: &mut Scene, options: &Options) -> Result<World, RunError> {
     let threads = options.threads;
     let keep = scene.start.as_ref().map(|start| start.keep);
     let (Some(Keep::All), Some(sample)) = (keep, &scene.sample) else {
-        return Ok(World::build_from(&scene.setup, &scene.brought(), threads)?);
+        let (setup, brought) = (scene.take_setup(), scene.brought());
+        scene.sample = None;
+        return Ok(World::build_from(setup, &brought, threads)?);
     };
     let Held { world, control, .. } = held(&sample.state)
         .map_err(|fault| scene.refused(&unusable(start_key(scene), &fault.to_string())))?;
@@ -126,6 +129,8 @@ pub(super) fn world(scene: &Scene, options: &Options) -> Result<World, RunError>
             world.set_wall_velocity(w, [0.0; 2]);
         }
     }
+    drop(scene.take_setup());
+    scene.sample = None;
     Ok(world)
 }
 
