@@ -22,6 +22,8 @@ mod polygons;
 mod profiles;
 #[path = "measures/regions.rs"]
 mod regions;
+#[path = "measures/sights.rs"]
+mod sights;
 #[path = "measures/sliding.rs"]
 mod sliding;
 #[path = "measures/surveys.rs"]

@@ -1,6 +1,7 @@
 //! A picture of a world at a cycle boundary: what screens and files draw. Immutable, and complete
 //! in itself: whoever draws it needs no world.
 
+use super::sight::{Sieve, Sight};
 use crate::engine::World;
 use crate::engine::contact_report::Other;
 use crate::engine::neighbours::Status;
@@ -24,6 +25,25 @@ pub struct Disc {
     pub material: u16,
     /// Whether its motion is prescribed.
     pub driven: bool,
+}
+
+impl Disc {
+    /// That of particle p.
+    fn of(world: &World, p: usize) -> Self {
+        let particles = world.particles();
+        let (velocity, spin) = world.velocity(p);
+        let row = &particles.row[p];
+        Self {
+            id: particles.id[p],
+            at: home(world, world.position(p)),
+            radius: row.radius,
+            velocity,
+            spin,
+            angle: row.angle,
+            material: particles.material[p],
+            driven: particles.is_driven(p),
+        }
+    }
 }
 
 /// A touching contact.
@@ -50,6 +70,30 @@ pub struct Touch {
 }
 
 impl Touch {
+    /// That of contact k.
+    fn of(world: &World, k: usize) -> Self {
+        let particles = world.particles();
+        let (g, reaction) = (world.geometry(k), world.reaction(k));
+        let (first, second, wall) = match world.bodies(k) {
+            (i, Other::Particle(j)) => (i, Some(j), None),
+            (i, Other::Wall(w)) => (i, None, Some(w)),
+        };
+        let from = home(world, world.position(first));
+        let to = [0, 1].map(|axis| from[axis] + g.distance * g.e[axis]);
+        let reach = second.map_or(0.0, |j| particles.row[j].radius);
+        Self {
+            ends: [from, to],
+            length: particles.row[first].radius + reach,
+            normal: g.e,
+            n: reaction.normal,
+            t: reaction.tangential,
+            sliding: reaction.sliding,
+            first: particles.id[first],
+            second: second.map(|j| particles.id[j]),
+            wall,
+        }
+    }
+
     /// Magnitude of the contact force [N].
     pub fn force(&self) -> f64 {
         (self.n * self.n + self.t * self.t).sqrt()
@@ -76,7 +120,15 @@ pub struct Picture {
     pub walls: Vec<Stroke>,
     /// Lower and upper corner of everything drawn [m].
     pub bounds: [[f64; 2]; 2],
+    /// Box around all discs [m] where some of them are left out: more than can be seen.
+    pub whole: Option<[[f64; 2]; 2]>,
 }
+
+/// So many particles are drawn whatever is seen of them.
+const FEW: usize = 20_000;
+
+/// Contacts shorter than a dot that are drawn in the same dot.
+const BARS: u8 = 2;
 
 impl Picture {
     /// Draws a world whose forces are summed.
@@ -85,44 +137,61 @@ impl Picture {
             bounds: bounds(world),
             ..Self::default()
         };
+        let count = world.particles().len();
+        picture.discs = (0..count).map(|p| Disc::of(world, p)).collect();
+        let list = world.contacts();
+        let touching = (0..list.len()).filter(|&k| list.status[k] != Status::Apart);
+        picture.touches = touching.map(|k| Touch::of(world, k)).collect();
+        picture.draw_walls(world);
+        picture
+    }
+
+    /// The same, but of a large world only what can be seen of it.
+    pub fn seen(world: &World, sight: Option<&Sight>) -> Self {
         let particles = world.particles();
-        for p in 0..particles.len() {
-            let (velocity, spin) = world.velocity(p);
-            let row = &particles.row[p];
-            picture.discs.push(Disc {
-                id: particles.id[p],
-                at: home(world, world.position(p)),
-                radius: row.radius,
-                velocity,
-                spin,
-                angle: row.angle,
-                material: particles.material[p],
-                driven: particles.is_driven(p),
-            });
+        if particles.len() <= FEW {
+            return Self::of(world);
         }
+        let mut picture = Self {
+            bounds: bounds(world),
+            ..Self::default()
+        };
+        let sight = sight.map_or(Sight::whole(picture.bounds), |sight| sight.wider());
+        let selected = sight.selected.and_then(|id| particles.index(id));
+        let mut sieve = Sieve::new(&sight);
+        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for p in 0..particles.len() {
+            let (at, radius) = (home(world, world.position(p)), particles.row[p].radius);
+            for k in 0..2 {
+                low[k] = low[k].min(at[k] - radius);
+                high[k] = high[k].max(at[k] + radius);
+            }
+            // One whose motion is prescribed looks otherwise.
+            let most = 1 + u8::from(particles.is_driven(p));
+            if sieve.passes(at, radius, most) || selected == Some(p) {
+                picture.discs.push(Disc::of(world, p));
+            }
+        }
+        picture.whole = Some([low, high]);
+        let mut sieve = Sieve::new(&sight);
         let list = world.contacts();
         for k in (0..list.len()).filter(|&k| list.status[k] != Status::Apart) {
-            let (g, reaction) = (world.geometry(k), world.reaction(k));
-            let (first, second, wall) = match world.bodies(k) {
-                (i, Other::Particle(j)) => (i, Some(j), None),
-                (i, Other::Wall(w)) => (i, None, Some(w)),
+            let (first, second) = match world.bodies(k) {
+                (i, Other::Particle(j)) => (i, Some(j)),
+                (i, Other::Wall(_)) => (i, None),
             };
-            let from = home(world, world.position(first));
-            let to = [0, 1].map(|axis| from[axis] + g.distance * g.e[axis]);
-            let reach = second.map_or(0.0, |j| particles.row[j].radius);
-            picture.touches.push(Touch {
-                ends: [from, to],
-                length: particles.row[first].radius + reach,
-                normal: g.e,
-                n: reaction.normal,
-                t: reaction.tangential,
-                sliding: reaction.sliding,
-                first: particles.id[first],
-                second: second.map(|j| particles.id[j]),
-                wall,
-            });
+            let at = home(world, world.position(first));
+            let chosen = selected.is_some() && (selected == Some(first) || selected == second);
+            if sieve.passes(at, particles.row[first].radius, BARS) || chosen {
+                picture.touches.push(Touch::of(world, k));
+            }
         }
-        let [low, high] = picture.bounds;
+        picture.draw_walls(world);
+        picture
+    }
+
+    fn draw_walls(&mut self, world: &World) {
+        let [low, high] = self.bounds;
         let far = (high[0] - low[0]).max(high[1] - low[1]);
         for wall in world.walls() {
             let cut = |h: f64| h.clamp(-2.0 * far, 2.0 * far);
@@ -130,7 +199,7 @@ impl Picture {
                 [0, 1].map(|k| wall.point[k] + cut(h) * wall.direction[k] + world.origin()[k])
             };
             let ends = [end(wall.h1), end(wall.h2)];
-            picture.walls.push(Stroke {
+            self.walls.push(Stroke {
                 name: wall.name.clone(),
                 ends,
             });
@@ -143,13 +212,12 @@ impl Picture {
             };
             let corners = [corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)];
             for k in 0..4 {
-                picture.walls.push(Stroke {
+                self.walls.push(Stroke {
                     name: "cell".into(),
                     ends: [corners[k], corners[(k + 1) % 4]],
                 });
             }
         }
-        picture
     }
 }
 

@@ -24,6 +24,7 @@ pub mod region;
 pub mod regional;
 pub mod rose;
 pub mod sample;
+pub mod sight;
 pub mod strain;
 pub mod stress;
 pub mod survey;

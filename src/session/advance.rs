@@ -32,8 +32,11 @@ pub enum Progress {
     Finished,
 }
 
-/// Cycles between looks at the clock.
+/// Most cycles between looks at the clock.
 const BETWEEN_LOOKS: u32 = 16;
+
+/// More time between them is too much: the cycles of a large scene are looked at one by one.
+const LOOK_TIME: Duration = Duration::from_micros(200);
 
 impl Session {
     /// Runs a batch. When all stages are done it goes on only for what the user asked for, or if
@@ -41,7 +44,8 @@ impl Session {
     pub fn advance(&mut self, budget: Budget, free: bool) -> Result<Progress, RunError> {
         self.keep_safe_at_times();
         let start = Instant::now();
-        let mut looks = 0;
+        // Cycles since the last look, and how many there may be.
+        let (mut looks, mut between, mut looked) = (0, 1, start);
         loop {
             if budget
                 .until_cycle
@@ -49,11 +53,14 @@ impl Session {
             {
                 return Ok(Progress::Budget);
             }
-            if looks == BETWEEN_LOOKS {
-                looks = 0;
-                if budget.time.is_some_and(|time| start.elapsed() >= time) {
+            if looks == between {
+                let now = Instant::now();
+                if budget.time.is_some_and(|time| now - start >= time) {
                     return Ok(Progress::Budget);
                 }
+                let few = now - looked < LOOK_TIME;
+                between = if few { 2 * between } else { 1 }.min(BETWEEN_LOOKS);
+                (looks, looked) = (0, now);
             }
             looks += 1;
             if self.user_turn() {

@@ -1,28 +1,32 @@
 //! Frames: everything a screen shows, taken at a cycle boundary.
 
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use super::Session;
 use super::inspect::Inspection;
+use super::kept::{Kept, Moment};
 use crate::engine::ledger::{Bookings, Energies};
 use crate::engine::world::FraccMonitor;
-use crate::language::Observable;
+use crate::language::{Known, Observable};
 use crate::measure::assembly::Assembly;
 use crate::measure::columns::Kind;
 use crate::measure::frame::Picture;
 use crate::measure::polygon::ForcePolygon;
 use crate::measure::sample::Sample;
+use crate::measure::sight::Sight;
 use crate::measure::survey::{Parts, Survey};
 
 /// While cycles run the stability bound shown may be so old.
 const LIMIT_AGE: Duration = Duration::from_secs(1);
 
 /// Which costly parts of a frame are wanted.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wants {
     /// Discs, contacts and walls.
     pub picture: bool,
+    /// What is seen of them, where they are too many to be seen all.
+    pub sight: Option<Sight>,
     /// Energies, if they are booked or not.
     pub energies: bool,
     /// Measures of the first region.
@@ -35,6 +39,7 @@ impl Default for Wants {
     fn default() -> Self {
         Self {
             picture: true,
+            sight: None,
             energies: true,
             survey: Parts::default(),
             polygon: None,
@@ -113,7 +118,41 @@ pub struct Frame {
     /// Every so many cycles a row.
     pub every: u64,
     /// Names for completion.
-    pub known: Arc<crate::language::Known>,
+    pub known: Arc<Known>,
+}
+
+/// What is measured for a frame.
+#[derive(Debug)]
+struct Measures {
+    wants: Wants,
+    assembly: Assembly,
+    survey: Survey,
+    polygon: Option<ForcePolygon>,
+    energies: Option<Energies>,
+    bookings: Option<Bookings>,
+}
+
+impl Measures {
+    fn of(sample: &Sample<'_>, wants: Wants) -> Self {
+        let drawn = wants
+            .polygon
+            .and_then(|id| sample.world().particles().index(id));
+        let booked = wants.energies && sample.world().ledger().is_some();
+        Self {
+            wants,
+            assembly: *sample.assembly(),
+            survey: Survey::of(sample, wants.survey),
+            polygon: drawn.map(|p| ForcePolygon::of(sample.world(), p)),
+            energies: wants.energies.then(|| *sample.energies()),
+            bookings: booked.then(|| *sample.bookings()),
+        }
+    }
+
+    /// Whether they are what is wanted.
+    fn suit(&self, wants: Wants) -> bool {
+        let of = |wants: Wants| (wants.survey, wants.energies, wants.polygon);
+        of(self.wants) == of(wants)
+    }
 }
 
 /// What has been shown already.
@@ -122,8 +161,17 @@ pub struct Shown {
     serial: u64,
     rows: usize,
     columns: Arc<[Observable]>,
-    /// The stability bound, and when it was worked out: it costs more than the rest of a frame.
-    limit: Option<(Instant, f64)>,
+    measures: Option<Kept<Measures>>,
+    /// The stability bound: it costs more than the rest of a frame.
+    limit: Option<Kept<f64>>,
+    known: Option<Kept<Arc<Known>>>,
+}
+
+impl Shown {
+    /// A command may have changed anything: nothing is kept.
+    pub fn forget(&mut self) {
+        (self.measures, self.limit, self.known) = (None, None, None);
+    }
 }
 
 impl Session {
@@ -162,30 +210,26 @@ impl Session {
         shown.serial += 1;
         let (stage, stages) = self.stage_number();
         let stage_cycles = (self.stage_cycle(), self.stage_length());
-        let known = Arc::new(self.known());
+        let now = Moment {
+            cycle: self.world.cycle_number(),
+            events: self.journal.events.len(),
+            running,
+        };
+        let none = Duration::ZERO;
+        let names = || Arc::new(self.known());
+        let known = Arc::clone(Kept::get(&mut shown.known, now, none, |_| true, names));
         let sample = Sample::over(&mut self.world, &self.scene.regions, Some(&self.reference));
-        let assembly = *sample.assembly();
-        let survey = Survey::of(&sample, wants.survey);
-        let drawn = wants
-            .polygon
-            .and_then(|id| sample.world().particles().index(id));
-        let polygon = drawn.map(|p| ForcePolygon::of(sample.world(), p));
-        let energies = wants.energies.then(|| *sample.energies());
-        let booked = wants.energies && sample.world().ledger().is_some();
-        let bookings = booked.then(|| *sample.bookings());
+        let suit = |measures: &Measures| measures.suit(wants);
+        let measures = || Measures::of(&sample, wants);
+        let measures = Kept::get(&mut shown.measures, now, none, suit, measures);
         let picture = if wants.picture {
-            Picture::of(sample.world())
+            Picture::seen(sample.world(), wants.sight.as_ref())
         } else {
             Picture::default()
         };
         let world = &self.world;
-        let fresh = shown
-            .limit
-            .filter(|(then, _)| running && then.elapsed() < LIMIT_AGE);
-        let frac_limit = fresh.map_or_else(|| world.frac_limit(), |(_, limit)| limit);
-        if fresh.is_none() {
-            shown.limit = Some((Instant::now(), frac_limit));
-        }
+        let limit = || world.frac_limit();
+        let frac_limit = *Kept::get(&mut shown.limit, now, LIMIT_AGE, |_| true, limit);
         Frame {
             serial: shown.serial,
             title: self.scene.about.title.clone(),
@@ -201,14 +245,14 @@ impl Session {
             finished: self.is_finished(),
             running,
             rate,
-            assembly,
+            assembly: measures.assembly,
             fracc: world.fracc_monitor().clone(),
             picture,
-            energies,
-            bookings,
+            energies: measures.energies,
+            bookings: measures.bookings,
             contact: self.inspection(),
-            survey,
-            polygon,
+            survey: measures.survey.clone(),
+            polygon: measures.polygon.clone(),
             columns: Arc::clone(&shown.columns),
             rows: new,
             restarted,

@@ -21,6 +21,12 @@ const BATCH: Duration = Duration::from_millis(5);
 /// The state is saved this often while cycles run.
 const SAVE: Duration = Duration::from_secs(60);
 
+/// While cycles run, a frame comes so many times later than what the last one took.
+const FRAMES: u32 = 4;
+
+/// But no later than this.
+const LATE: Duration = Duration::from_millis(120);
+
 /// The rate shown is that of the last so much time.
 const RATE_WINDOW: Duration = Duration::from_millis(500);
 
@@ -118,6 +124,7 @@ impl Worker {
             rate: Rate::default(),
             saved: Instant::now(),
             saved_cycle: None,
+            posted: None,
         };
         let thread = std::thread::Builder::new()
             .name("ballast-run".into())
@@ -201,6 +208,9 @@ struct Desk {
     rate: Rate,
     saved: Instant,
     saved_cycle: Option<u64>,
+    /// When the last frame was done, and how long it took; nothing after an order, whose answer the
+    /// screen waits for.
+    posted: Option<(Instant, Duration)>,
 }
 
 impl Desk {
@@ -245,6 +255,7 @@ impl Desk {
                 return false;
             }
             self.changed = true;
+            self.posted = None;
         }
     }
 
@@ -290,6 +301,7 @@ impl Desk {
 
     fn execute(&mut self, line: String) {
         let reply = self.session.type_line(&line);
+        self.shown.forget();
         match reply.as_ref().ok().and_then(|reply| reply.request) {
             Some(Request::Run) => self.go(),
             Some(Request::Pause) => self.running = false,
@@ -383,7 +395,7 @@ impl Desk {
 
     /// Leaves the newest frame if the last one was taken.
     fn post(&mut self) {
-        if !self.changed {
+        if !self.changed || self.is_early() {
             return;
         }
         let empty = self
@@ -394,6 +406,7 @@ impl Desk {
         if !empty {
             return;
         }
+        let start = Instant::now();
         let rate = self
             .rate
             .update(self.session.world().cycle_number(), self.running);
@@ -402,7 +415,14 @@ impl Desk {
             .frame(self.wants, rate, self.running, &mut self.shown);
         *self.mailbox.lock().unwrap_or_else(PoisonError::into_inner) = Some(Box::new(frame));
         self.changed = false;
+        self.posted = Some((Instant::now(), start.elapsed()));
         self.knock();
+    }
+
+    /// Whether another frame so soon would keep cycles from running.
+    fn is_early(&self) -> bool {
+        let early = |(then, took): (Instant, Duration)| then.elapsed() < (FRAMES * took).min(LATE);
+        self.running && self.posted.is_some_and(early)
     }
 
     fn begin_journal(&mut self) {

@@ -1,19 +1,13 @@
 //! Which part of the assembly is seen.
 
 use super::scale::round_up;
-use crate::measure::frame::Picture;
+use crate::measure::frame::{Disc, Picture};
 
 /// Bounds that the whole assembly is fitted to [m]: the discs with some room, and walls as far as
 /// they are near. Long walls do not make discs small; the bounds move in steps, so that the
 /// picture keeps its scale while discs move.
 pub fn fitted(picture: &Picture) -> [[f64; 2]; 2] {
-    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-    for disc in &picture.discs {
-        for k in 0..2 {
-            low[k] = low[k].min(disc.at[k] - disc.radius);
-            high[k] = high[k].max(disc.at[k] + disc.radius);
-        }
-    }
+    let [low, high] = picture.whole.unwrap_or_else(|| within(&picture.discs));
     let size = [0, 1].map(|k| high[k] - low[k]);
     if !size.iter().all(|size| size.is_finite() && *size > 0.0) {
         return picture.bounds;
@@ -36,6 +30,18 @@ pub fn fitted(picture: &Picture) -> [[f64; 2]; 2] {
         [0, 1].map(|k| fit(low[k], outer[0][k], -1.0)),
         [0, 1].map(|k| fit(high[k], outer[1][k], 1.0)),
     ]
+}
+
+/// Box around discs [m].
+fn within(discs: &[Disc]) -> [[f64; 2]; 2] {
+    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    for disc in discs {
+        for k in 0..2 {
+            low[k] = low[k].min(disc.at[k] - disc.radius);
+            high[k] = high[k].max(disc.at[k] + disc.radius);
+        }
+    }
+    [low, high]
 }
 
 /// A window on the plane.
@@ -92,7 +98,6 @@ impl View {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::measure::frame::Disc;
 
     fn picture(x: f64) -> Picture {
         let disc = |x: f64| Disc {

@@ -469,5 +469,6 @@ fn picture() -> Picture {
             wall("left", [[0.0, 0.0], [0.0, 0.7]]),
         ],
         bounds: [[0.0, 0.0], [0.8, 0.7]],
+        whole: None,
     }
 }

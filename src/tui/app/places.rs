@@ -1,5 +1,7 @@
 //! Which pane stands where, and which of its drawings it shows.
 
+use ratatui::layout::Rect;
+
 use super::{App, Said};
 use crate::measure::columns::nearest;
 use crate::session::frames::Wants;
@@ -10,6 +12,12 @@ impl App {
     pub fn focused(&self) -> Option<PaneId> {
         self.zoomed
             .or_else(|| self.arrangement.panes.get(self.focus).map(|(id, _)| *id))
+    }
+
+    /// Where a pane stands, if it is on the screen.
+    pub fn place_of(&self, id: PaneId) -> Option<Rect> {
+        let mut panes = self.arrangement.panes.iter();
+        panes.find(|(known, _)| *known == id).map(|(_, area)| *area)
     }
 
     pub(super) fn move_focus(&mut self, by: isize) {

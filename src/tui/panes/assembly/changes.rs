@@ -82,14 +82,15 @@ fn slid_scale(slid: &[Slid]) -> f64 {
     round_up(ways.filter(|way| way.is_finite()).fold(0.0, f64::max))
 }
 
-/// Discs that were there at the reference. Both lists have the order of the particles, in which
-/// numbers need not ascend.
+/// Discs that were there at the reference. Numbers ascend in both lists.
 fn moved<'a>(
     picture: &'a Picture,
     against: &'a Against,
 ) -> impl Iterator<Item = (&'a Disc, &'a Displaced)> {
     let mut rest = against.displaced.iter().peekable();
     picture.discs.iter().filter_map(move |disc| {
+        // Discs that cannot be seen are left out of large pictures.
+        while rest.next_if(|moved| moved.ball < disc.id).is_some() {}
         let moved = rest.next_if(|moved| moved.ball == disc.id)?;
         Some((disc, moved))
     })

@@ -7,6 +7,7 @@ use ratatui::layout::Rect;
 
 use super::{Pane, PaneId};
 use crate::measure::frame::{Disc, Picture, Touch};
+use crate::measure::sight::Sight;
 use crate::measure::survey::Part;
 use crate::tui::app::App;
 use crate::tui::dots::{Dots, Ink};
@@ -37,10 +38,11 @@ pub const PANE: Pane = Pane {
         title
     },
     draw,
-    wants: |app, _, wants| {
+    wants: |app, id, wants| {
         if app.look.compared != Compared::Off {
             wants.survey = wants.survey.with(Part::Changes);
         }
+        wants.sight = sight(app, id);
     },
     ..Pane::PLAIN
 };
@@ -113,6 +115,21 @@ fn draw(app: &App, _: PaneId, area: Rect, buffer: &mut Buffer) {
             (None, None) => write_scale(app, &map, mean, (line, buffer)),
         }
     }
+}
+
+/// What is seen where the assembly has more than can be; the frame of the pane is nothing against the
+/// margin that is added.
+fn sight(app: &App, id: PaneId) -> Option<Sight> {
+    let picture = &app.frame.as_ref()?.picture;
+    picture.whole?;
+    let area = app.place_of(id)?;
+    let dots = Dots::new(app.look.points, area.width, area.height);
+    let map = Map::new(app, picture, &dots);
+    Some(Sight {
+        window: [map.low, map.high],
+        dots: dots.size().map(|n| n as u32),
+        selected: app.selected,
+    })
 }
 
 /// From metres to dots.
