@@ -111,5 +111,17 @@ fn neighbours(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(kernels, contacts, motion, neighbours);
+/// Short enough to be run between two changes: about a minute for all of it.
+fn short() -> Criterion {
+    Criterion::default()
+        .sample_size(20)
+        .warm_up_time(Duration::from_millis(500))
+        .measurement_time(Duration::from_secs(2))
+}
+
+criterion_group! {
+    name = kernels;
+    config = short();
+    targets = contacts, motion, neighbours
+}
 criterion_main!(kernels);

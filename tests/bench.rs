@@ -6,8 +6,8 @@ mod program;
 use ballast::engine::World;
 use ballast::engine::phase::Phase;
 use ballast::scene::Scene;
+use ballast::session::Options;
 use ballast::session::start::resolve;
-use ballast::session::{Options, Session};
 use program::{ballast, said};
 use std::sync::{Arc, Mutex};
 
@@ -50,9 +50,9 @@ fn worlds(folder: &std::path::Path) -> [World; 2] {
             ..Options::default()
         };
         let started = resolve(scene, &options, &mut |_| true).expect("its sample is prepared");
-        let session = Session::open(started.scene, options).expect("it opens");
-        let scene = session.scene();
-        World::build_from(&scene.setup, &scene.brought(), 1).expect("it is built")
+        let mut scene = started.scene;
+        let brought = scene.brought();
+        World::build_from(scene.take_setup(), &brought, 1).expect("it is built")
     })
 }
 
@@ -119,6 +119,26 @@ fn copies_need_a_cell_and_whole_numbers() {
             said(&output)
         );
     }
+}
+
+#[test]
+fn a_step_moves_what_it_works_on_and_no_more_than_there_is() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [one, six] = worlds(folder.path());
+    let moved = |world: &World| world.traffic().bytes();
+    for world in [&one, &six] {
+        let (n, contacts) = (world.particles().len(), world.contacts().len());
+        let bytes = world.bytes();
+        let all = bytes.particle * n + bytes.contact * contacts;
+        // Nothing is moved more often than it is read by both passes and written by one.
+        assert!(moved(world) < 3 * all, "{} {all}", moved(world));
+        // Two velocities, two places, a spin, an angle, read and written; two forces of each contact.
+        let least = 2 * 6 * 8 * n + 2 * 2 * 8 * contacts;
+        assert!(moved(world) > least, "{} {least}", moved(world));
+    }
+    let contacts = [&one, &six].map(|world| world.contacts().len());
+    assert_eq!(contacts[1], 6 * contacts[0]);
+    assert_eq!(moved(&six), 6 * moved(&one));
 }
 
 #[test]

@@ -8,9 +8,10 @@ use super::{BAD_INPUT, Bench, FAILED};
 use crate::measure::columns::nearest;
 use crate::record::whole_file;
 use crate::scene::Scene;
+use crate::session::figure::rough;
 use crate::session::{Options, Place, Reached, Session};
 use crate::study::bench::{
-    Length, Measured, STANDARD, Standard, csv, find, machine, measure, rows,
+    Length, Measured, Memory, STANDARD, Standard, csv, find, machine, measure, rows,
 };
 
 /// Times them; answers the exit status.
@@ -46,7 +47,9 @@ pub(super) fn bench(options: &Bench) -> u8 {
             }
         }
     }
-    let table = csv(&all, &machine());
+    // After the scenes: their memory is given back by now.
+    let memory = Memory::measured(all.first().map_or(1, |first| first.threads));
+    let table = csv(&all, &memory, &machine());
     match &options.csv {
         Some(path) if path.as_os_str() == "-" => {
             return print(&String::from_utf8_lossy(table.bytes()));
@@ -59,11 +62,14 @@ pub(super) fn bench(options: &Bench) -> u8 {
         }
         None => {}
     }
-    let mut text = format!("{}\n\n", machine());
-    let rows = rows(&all);
+    let gigabytes = rough(1e-9 * memory.copy);
+    let mut text = format!("{}; a copy in memory: {gigabytes} GB/s\n\n", machine());
+    let rows = rows(&all, &memory);
     text += &aligned(&rows, 3, rows[0].len()).join("\n");
     text += "\n\nrates are in wall time; busy: share of it with a processor for each thread, 1 on a quiet machine; updates \
-             are of touching contacts; list lasts: cycles until pairs are looked for again\n";
+             are of touching contacts; list lasts: cycles until pairs are looked for again; MB/cycle: what a cycle has to \
+             read and write at least, and of copy: how near that comes to a copy of memory, for scenes that the caches \
+             do not hold\n";
     print(&text)
 }
 

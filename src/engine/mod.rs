@@ -28,6 +28,7 @@ pub mod setup;
 pub mod step;
 pub mod threads;
 pub mod time_step;
+pub mod traffic;
 pub mod wall;
 pub mod wall_contact;
 pub mod world;

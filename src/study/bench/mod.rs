@@ -3,6 +3,7 @@
 //! The rate is the median of several stretches without any clock inside the cycle; where the time goes
 //! is measured afterwards, by a clock that is asked after each part of every cycle.
 
+mod bandwidth;
 mod machine;
 mod scenes;
 mod table;
@@ -12,6 +13,7 @@ use std::time::{Duration, Instant};
 
 use rustix::time::{ClockId, clock_gettime};
 
+pub use bandwidth::Memory;
 pub use machine::{machine, peak};
 pub use scenes::{STANDARD, Standard, find};
 pub use table::{csv, rows};
@@ -19,6 +21,7 @@ pub use table::{csv, rows};
 use crate::engine::bytes::Bytes;
 use crate::engine::neighbours::Status;
 use crate::engine::phase::Phase;
+use crate::engine::traffic::Traffic;
 use crate::engine::{Fault, World};
 use crate::session::Session;
 
@@ -69,6 +72,8 @@ pub struct Measured {
     pub list_lasts: Option<f64>,
     /// Bytes of each particle and each pair.
     pub bytes: Bytes,
+    /// What a step moves at least.
+    pub traffic: Traffic,
     /// Most memory the process had so far [bytes], where the system tells.
     pub peak: Option<u64>,
     /// Shares of the time, in the order of [`Phase::ALL`].
@@ -81,6 +86,11 @@ impl Measured {
     /// Contact updates per second.
     pub fn updates(&self) -> f64 {
         self.rate * self.contacts
+    }
+
+    /// Bytes per second that its steps move at least.
+    pub fn moved(&self) -> f64 {
+        self.rate * self.traffic.bytes() as f64
     }
 }
 
@@ -142,6 +152,7 @@ pub fn measure(name: &str, session: &mut Session, length: Length) -> Result<Meas
         stress,
         list_lasts: (lists > 0).then(|| cycles as f64 / lists as f64),
         bytes: world.bytes(),
+        traffic: world.traffic(),
         peak: peak(),
         shares,
         state,

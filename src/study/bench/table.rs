@@ -1,13 +1,13 @@
 //! What was measured, as rows of text and as CSV.
 
-use super::Measured;
+use super::{Measured, Memory};
 use crate::engine::phase::Phase;
 use crate::record::number::Cell;
 use crate::record::table::CsvTable;
 use crate::session::figure::rough;
 
-/// Head and rows for people: rates, memory, then shares of the time in per cent.
-pub fn rows(all: &[Measured]) -> Vec<Vec<String>> {
+/// Head and rows for people: rates, memory, what is moved, then shares of the time in per cent.
+pub fn rows(all: &[Measured], memory: &Memory) -> Vec<Vec<String>> {
     let mut head: Vec<String> = [
         "scene",
         "law",
@@ -23,6 +23,9 @@ pub fn rows(all: &[Measured]) -> Vec<Vec<String>> {
         "list lasts",
         "B/particle",
         "B/pair",
+        "MB/cycle",
+        "GB/s",
+        "of copy %",
     ]
     .map(str::to_owned)
     .to_vec();
@@ -47,6 +50,12 @@ pub fn rows(all: &[Measured]) -> Vec<Vec<String>> {
             lasts,
             measured.bytes.particle.to_string(),
             measured.bytes.contact.to_string(),
+            rough(1e-6 * measured.traffic.bytes() as f64),
+            rough(1e-9 * measured.moved()),
+            share_of_copy(measured, memory).map_or_else(
+                || "cached".to_owned(),
+                |share| format!("{:.1}", 100.0 * share),
+            ),
         ];
         row.extend(measured.shares.map(|share| format!("{:.1}", 100.0 * share)));
         rows.push(row);
@@ -54,8 +63,12 @@ pub fn rows(all: &[Measured]) -> Vec<Vec<String>> {
     rows
 }
 
+fn share_of_copy(measured: &Measured, memory: &Memory) -> Option<f64> {
+    memory.share(measured.traffic.bytes(), measured.rate)
+}
+
 /// The same with all digits, and the machine.
-pub fn csv(all: &[Measured], machine: &str) -> CsvTable {
+pub fn csv(all: &[Measured], memory: &Memory, machine: &str) -> CsvTable {
     let mut names = vec![
         "scene",
         "law",
@@ -73,6 +86,10 @@ pub fn csv(all: &[Measured], machine: &str) -> CsvTable {
         "bytes_per_pair",
         "bytes_of_law",
         "peak_bytes",
+        "bytes_per_cycle",
+        "bytes_per_s",
+        "copy_bytes_per_s",
+        "share_of_copy",
     ];
     let shares = Phase::ALL.map(|(name, _)| format!("share_{name}"));
     names.extend(shares.iter().map(String::as_str));
@@ -97,6 +114,10 @@ pub fn csv(all: &[Measured], machine: &str) -> CsvTable {
             Cell::Count(bytes.contact as u64),
             Cell::Count(bytes.law as u64),
             measured.peak.map_or(Cell::Real(f64::NAN), Cell::Count),
+            Cell::Count(measured.traffic.bytes() as u64),
+            Cell::Real(measured.moved()),
+            Cell::Real(memory.copy),
+            Cell::Real(share_of_copy(measured, memory).unwrap_or(f64::NAN)),
         ];
         row.extend(measured.shares.map(Cell::Real));
         row.extend([
