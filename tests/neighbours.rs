@@ -116,7 +116,7 @@ fn commands_keep_numbers_and_memory() {
         .map(|k| world.contacts().pairs[k].map(|p| world.particles().id[p as usize]))
         .filter(|pair| !pair.contains(&4) && !pair.contains(&12))
         .collect();
-    assert!(pairs.len() > 5, "{}", pairs.len());
+    assert!(pairs.len() >= 3, "{}", pairs.len());
     let before: Vec<[f64; 2]> = pairs.iter().map(|&[i, j]| memory(&world, i, j)).collect();
     let same = |world: &World, what: &str| {
         for (&[i, j], old) in pairs.iter().zip(&before) {

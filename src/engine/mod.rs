@@ -24,6 +24,7 @@ pub mod particles;
 pub mod phase;
 pub mod plan;
 pub mod restart;
+mod rows;
 pub mod setup;
 pub mod step;
 pub mod threads;

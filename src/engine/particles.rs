@@ -4,6 +4,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::rows::Rows;
 use super::setup::{Body, ParticleSetup};
 
 /// What the contact and motion passes read and write of one particle: one cache line.
@@ -94,7 +95,7 @@ pub struct Particles {
     /// Number shown to users, ascending.
     pub id: Vec<u32>,
     /// Hot state.
-    pub row: Vec<Row>,
+    pub row: Rows,
     /// Answer to force in the present time step.
     pub mobility: Vec<Mobility>,
     /// Contact force at the last boundary where it was summed.

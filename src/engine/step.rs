@@ -19,6 +19,10 @@ use super::wall_contact;
 /// Further than so many sizes of the scene from its middle, a particle is lost.
 const LOST: f64 = 1e4;
 
+/// Cycles after which the scale of the forces on a particle is made anew: it is compared with rounding
+/// errors, where an order of magnitude is enough.
+const SIZE_EVERY: u64 = 64;
+
 /// A list that is measured goes on if less than this share of TOL is spent.
 const SPENT: f64 = 0.75;
 
@@ -71,11 +75,10 @@ impl World {
         self.first_kick = false;
         self.settled = false;
         self.contacts.travel += watch.fastest.sqrt() * self.dt;
-        if watch.wild {
-            Err(self.wild_particle())
-        } else {
-            Ok(())
+        if watch.tame {
+            return Ok(());
         }
+        self.wild_particle().map_or(Ok(()), Err)
     }
 
     /// Sums the forces of this boundary, once.
@@ -92,7 +95,7 @@ impl World {
         work: impl Fn(Inputs<'_>, &mut [Row], &mut [Sum], &Threads) -> Watch,
     ) -> Watch {
         let part = self.kick_part();
-        let spin = self.spins();
+        let flow = self.flow();
         let due = self.fracc_due();
         let Self {
             particles,
@@ -110,7 +113,9 @@ impl World {
             settled: self.settled,
             // Before the first step nothing has changed yet.
             fracc: !self.first_kick && due,
-            spin,
+            size: self.cycle.is_multiple_of(SIZE_EVERY),
+            limit: 0.7 * contacts.smallest / self.dt,
+            flow,
             drag: Dragged::new(&model.damping, part * self.dt),
             isa: self.isa,
         };
@@ -157,21 +162,18 @@ impl World {
         self.locate_walls()?;
         passed(&mut self.clock, Phase::Walls);
         let mut pass = self.take_pass();
-        let (flow, cell) = (self.flow(), self.boundary.as_ref().and_then(Boundary::cell));
+        let flow = self.flow();
         let contacts = &mut self.contacts;
-        let (mut rows, mut pairs) = (&self.particles.row, &contacts.pairs);
-        if flow.is_some() || cell.is_some() {
-            let flow = flow.as_ref().map(|(rate, centre)| (rate, *centre));
-            self.seen.look(rows, flow, cell, &self.threads);
-            rows = &self.seen.rows;
-        }
-        if cell.is_some() {
+        let mut pairs = &contacts.pairs;
+        if let Some(cell) = self.boundary.as_ref().and_then(Boundary::cell) {
+            self.seen.look(&mut self.particles.row, cell);
             pairs = &self.seen.pairs;
         }
         passed(&mut self.clock, Phase::Boundary);
         let view = View {
-            rows,
+            rows: self.particles.row.seen(),
             pairs,
+            flow,
             wall_pairs: &contacts.walls,
             wall_touches: &contacts.touches,
             dt,
@@ -254,8 +256,10 @@ impl World {
     pub(super) fn see(&mut self) {
         if self.cell().is_some() {
             let contacts = &self.contacts;
-            self.seen
-                .relist(self.particles.len(), &contacts.pairs, &contacts.images);
+            let rows = &mut self.particles.row;
+            self.seen.relist(rows, &contacts.pairs, &contacts.images);
+        } else {
+            self.particles.row.show(0);
         }
     }
 
@@ -330,8 +334,8 @@ impl World {
         }
     }
 
-    /// The particle that moved too far, or not by a number.
-    fn wild_particle(&self) -> Fault {
+    /// The particle that moved too far, or not by a number, if one did.
+    fn wild_particle(&self) -> Option<Fault> {
         let (p, cycle) = (&self.particles, self.cycle);
         for (k, row) in p.row.iter().enumerate() {
             let step = (row.v[0] * row.v[0] + row.v[1] * row.v[1]).sqrt() * self.dt;
@@ -345,15 +349,15 @@ impl World {
                 let Slot(force) = self.contacts.slots[contact];
                 if force.iter().any(|f| f.is_nan()) && step.is_nan() {
                     let (first, second) = (p.id[i as usize], p.id[j as usize]);
-                    return Fault::Coincident {
+                    return Some(Fault::Coincident {
                         cycle,
                         first,
                         second,
-                    };
+                    });
                 }
             }
             let particle = p.id[k];
-            return if step.is_nan() {
+            return Some(if step.is_nan() {
                 Fault::NotANumber { cycle, particle }
             } else {
                 Fault::Runaway {
@@ -361,12 +365,9 @@ impl World {
                     particle,
                     distance: step,
                 }
-            };
+            });
         }
-        Fault::NotANumber {
-            cycle,
-            particle: p.id.first().copied().unwrap_or(0),
-        }
+        None
     }
 
     fn lost_particle(&self) -> Result<(), Fault> {

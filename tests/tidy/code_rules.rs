@@ -38,7 +38,7 @@ const UNSAFE_FILES: &[&str] = &[
     "src/engine/contact/memories.rs",
     "src/engine/contact/numbers.rs",
     "src/engine/contact/pass.rs",
-    "src/engine/motion/kernel.rs",
+    "src/engine/motion/",
     "src/engine/threads.rs",
     "tests/allocations.rs",
 ];

@@ -178,7 +178,8 @@ impl World {
         }
     }
 
-    /// The part of a step that is the flow's: positions, the cell and the curve of the ring.
+    /// The part of a step that is the flow's, but for the particles: the cell, the curve of the ring,
+    /// and what their travel is measured from.
     pub(in crate::engine) fn drift(&mut self) {
         let dt = self.dt;
         if let Some(Boundary {
@@ -202,11 +203,6 @@ impl World {
             let v = velocity(&rate, [x[0] - centre[0], x[1] - centre[1]]);
             [x[0] + v[0] * dt, x[1] + v[1] * dt]
         };
-        self.threads.each(&mut self.particles.row, |_, rows| {
-            for row in rows {
-                row.x = moved(row.x);
-            }
-        });
         self.contacts.carry_along(moved);
         // Neighbours come nearer by no more than this share of their distance.
         self.contacts.stretch += straining::size(&rate) * dt;

@@ -17,6 +17,7 @@ use super::memory::Memory;
 use super::numbers::{Column, Numbers, Reading, Writing};
 use super::pass::View;
 use super::quantities::{Reaction, Touch};
+use crate::engine::boundary::straining::velocity;
 #[cfg(target_arch = "x86_64")]
 use crate::engine::lanes::{Eight, Four};
 use crate::engine::lanes::{Isa, Lanes, Meeting};
@@ -188,11 +189,17 @@ impl<L: Law> Kernel<'_, L> {
         // SAFETY: the caller's: a block of pairs.
         let Meeting {
             d,
-            v,
+            mut v,
             spin,
             rim,
             reach,
         } = unsafe { V::meet(self.view.rows.as_ptr(), self.view.pairs.as_ptr().add(k)) };
+        if let Some((rate, _)) = &self.view.flow {
+            // The imposed flow at the first centre less that at the second.
+            let [first, second] = rate;
+            v[0] = v[0] + (V::all(first[0]) * d[0] + V::all(first[1]) * d[1]);
+            v[1] = v[1] + (V::all(second[0]) * d[0] + V::all(second[1]) * d[1]);
+        }
         let square = d[0] * d[0] + d[1] * d[1];
         let distance = square.sqrt();
         let overlap = reach - distance;
@@ -243,7 +250,11 @@ impl<L: Law> Kernel<'_, L> {
                 return self.rest::<BOOK>(k, 1);
             }
             let e = wall.e;
-            let v = [row.v[0] - wall.v[0], row.v[1] - wall.v[1]];
+            let mut v = [row.v[0] - wall.v[0], row.v[1] - wall.v[1]];
+            if let Some((rate, centre)) = &self.view.flow {
+                let flow = velocity(rate, [row.x[0] - centre[0], row.x[1] - centre[1]]);
+                v = [v[0] + flow[0], v[1] + flow[1]];
+            }
             let slide = if <L::On<f64> as React<f64>>::TANGENTIAL {
                 v[0] * e[1] - v[1] * e[0] - row.spin * row.radius
             } else {

@@ -18,6 +18,7 @@ use super::memories::Memories;
 use super::memory::Memory;
 use super::quantities::{BasisOwned, Stiffness};
 use super::traction::Traction;
+use crate::engine::boundary::Tensor;
 use crate::engine::lanes::Isa;
 use crate::engine::neighbours::carry::carry;
 use crate::engine::neighbours::{Slot, Status};
@@ -28,7 +29,7 @@ use crate::engine::wall_contact::{WallPair, WallTouch};
 /// What the pass reads.
 #[derive(Clone, Copy)]
 pub struct View<'a> {
-    /// Particles.
+    /// Particles, and images that pairs name.
     pub rows: &'a [Row],
     /// Listed pairs of particles, as indices, lower number first.
     pub pairs: &'a [[u32; 2]],
@@ -36,6 +37,8 @@ pub struct View<'a> {
     pub wall_pairs: &'a [WallPair],
     /// Where those stand now.
     pub wall_touches: &'a [WallTouch],
+    /// Strain rate that carries everything along besides [1/s], and the point at rest in it [m].
+    pub flow: Option<(Tensor, [f64; 2])>,
     /// Time step [s].
     pub dt: f64,
     /// Vector instructions.
@@ -156,9 +159,10 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
         threads: &Threads,
     ) {
         let total = self.len();
-        let one_each = [self.memory.len(), slots.len(), status.len()];
+        let one_each = [self.memory.len(), status.len()];
         assert!(
-            one_each == [total; 3]
+            one_each == [total; 2]
+                && slots.len() > total
                 && view.pairs.len() == self.laws[0].len()
                 && (!BOOK || self.book.len() == total),
             "lists of contacts differ in length"

@@ -4,9 +4,10 @@ use std::arch::x86_64::{
     __m256d, _CMP_EQ_OQ, _CMP_GE_OQ, _CMP_GT_OQ, _mm_loadu_pd, _mm256_add_pd, _mm256_and_pd,
     _mm256_and_si256, _mm256_andnot_pd, _mm256_blend_pd, _mm256_blendv_pd, _mm256_castsi256_pd,
     _mm256_cmp_pd, _mm256_cmpeq_epi64, _mm256_div_pd, _mm256_load_pd, _mm256_loadu_pd,
-    _mm256_movemask_pd, _mm256_mul_pd, _mm256_or_pd, _mm256_permute2f128_pd, _mm256_set_epi64x,
-    _mm256_set1_epi64x, _mm256_set1_pd, _mm256_sqrt_pd, _mm256_storeu_pd, _mm256_sub_pd,
-    _mm256_unpackhi_pd, _mm256_unpacklo_pd, _mm256_xor_pd, _mm256_zextpd128_pd256,
+    _mm256_max_pd, _mm256_movemask_pd, _mm256_mul_pd, _mm256_or_pd, _mm256_permute_pd,
+    _mm256_permute2f128_pd, _mm256_permute4x64_pd, _mm256_set_epi64x, _mm256_set1_epi64x,
+    _mm256_set1_pd, _mm256_sqrt_pd, _mm256_storeu_pd, _mm256_sub_pd, _mm256_unpackhi_pd,
+    _mm256_unpacklo_pd, _mm256_xor_pd, _mm256_zextpd128_pd256,
 };
 
 use super::{Lanes, Meeting, Quad, arithmetic, plain_members};
@@ -190,6 +191,25 @@ impl Quad for Four {
     #[inline(always)]
     fn joined(self, other: Self) -> Self {
         Self(unsafe { _mm256_permute2f128_pd::<0x20>(self.0, other.0) })
+    }
+
+    #[inline(always)]
+    fn spread(self) -> [Self; 2] {
+        unsafe {
+            let first = _mm256_permute4x64_pd::<0b00_00_00_00>(self.0);
+            let second = _mm256_permute4x64_pd::<0b01_01_01_01>(self.0);
+            [Self(first), Self(second)]
+        }
+    }
+
+    #[inline(always)]
+    fn swapped(self) -> Self {
+        Self(unsafe { _mm256_permute_pd::<0b0101>(self.0) })
+    }
+
+    #[inline(always)]
+    fn larger(self, other: Self) -> Self {
+        Self(unsafe { _mm256_max_pd(self.0, other.0) })
     }
 
     #[inline(always)]

@@ -17,17 +17,19 @@ pub trait Quad: Lanes {
     fn with_last(self, other: Self) -> Self;
     /// The first two numbers, and the first two of another.
     fn joined(self, other: Self) -> Self;
+    /// The first number everywhere, and the second.
+    fn spread(self) -> [Self; 2];
+    /// First and second number exchanged, and third and fourth.
+    #[must_use]
+    fn swapped(self) -> Self;
+    /// The larger ones of both; the other's where one is not a number.
+    #[must_use]
+    fn larger(self, other: Self) -> Self;
     /// Four numbers.
     #[inline(always)]
     fn of_four(numbers: [f64; 4]) -> Self {
         // SAFETY: there are four.
         unsafe { Self::read(numbers.as_ptr()) }
-    }
-    /// The first two numbers.
-    #[inline(always)]
-    fn first_two(self) -> [f64; 2] {
-        let numbers = self.numbers();
-        [numbers[0], numbers[1]]
     }
     /// Two numbers and two noughts.
     ///
@@ -206,6 +208,22 @@ impl Quad for Plain {
     #[inline(always)]
     fn joined(self, other: Self) -> Self {
         Self([self.0[0], self.0[1], other.0[0], other.0[1]])
+    }
+
+    #[inline(always)]
+    fn spread(self) -> [Self; 2] {
+        [Self([self.0[0]; 4]), Self([self.0[1]; 4])]
+    }
+
+    #[inline(always)]
+    fn swapped(self) -> Self {
+        let [a, b, c, d] = self.0;
+        Self([b, a, d, c])
+    }
+
+    #[inline(always)]
+    fn larger(self, other: Self) -> Self {
+        Self::pick(self.above(other), self, other)
     }
 
     #[inline(always)]

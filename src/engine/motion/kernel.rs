@@ -8,14 +8,15 @@
 )]
 
 use super::drag::{Drag, Free};
+use super::gather::Gather;
 use super::{Inputs, Stretch, Watch};
 #[cfg(target_arch = "x86_64")]
 use crate::engine::lanes::Four;
 use crate::engine::lanes::{Isa, Plain, Quad};
 use crate::engine::particles::{Row, Sum};
 
-/// Signs of force, tangential force and rolling moment on the second body, beside those on the first.
-const SECOND: [f64; 4] = [-1.0, -1.0, 1.0, -1.0];
+/// Fewer particles than this stay near the processor by themselves.
+const FAR: usize = 8192;
 
 /// Sums the contact forces (unless that was done) and moves every particle of a stretch.
 pub(super) fn advance(inputs: &Inputs<'_>, stretch: &mut Stretch<'_>) -> Watch {
@@ -27,18 +28,30 @@ pub(super) fn advance(inputs: &Inputs<'_>, stretch: &mut Stretch<'_>) -> Watch {
 
 /// Sums the contact forces only.
 pub(super) fn sum(inputs: &Inputs<'_>, stretch: &mut Stretch<'_>) -> Watch {
-    chosen::<Free, true, true, false>(inputs, Free, stretch)
-}
-
-fn damped<D: Drag>(inputs: &Inputs<'_>, drag: D, stretch: &mut Stretch<'_>) -> Watch {
-    match (inputs.settled, inputs.fracc) {
-        (true, _) => chosen::<D, false, false, true>(inputs, drag, stretch),
-        (false, false) => chosen::<D, true, false, true>(inputs, drag, stretch),
-        (false, true) => chosen::<D, true, true, true>(inputs, drag, stretch),
+    if inputs.size {
+        chosen::<Free, SUMMED_WITH_SIZE, false>(inputs, Free, stretch)
+    } else {
+        chosen::<Free, SUMMED, false>(inputs, Free, stretch)
     }
 }
 
-fn chosen<D: Drag, const GATHER: bool, const FRACC: bool, const MOVE: bool>(
+/// What is done about the forces: nothing, as they are summed; or they are summed; and their change is
+/// kept for FRACC; and so is the size of their parts.
+const DONE: u8 = 0;
+const PLAIN: u8 = 1;
+const SUMMED: u8 = 2;
+const SUMMED_WITH_SIZE: u8 = 3;
+
+fn damped<D: Drag>(inputs: &Inputs<'_>, drag: D, stretch: &mut Stretch<'_>) -> Watch {
+    match (inputs.settled, inputs.size, inputs.fracc) {
+        (true, ..) => chosen::<D, DONE, true>(inputs, drag, stretch),
+        (_, true, _) => chosen::<D, SUMMED_WITH_SIZE, true>(inputs, drag, stretch),
+        (_, _, true) => chosen::<D, SUMMED, true>(inputs, drag, stretch),
+        (_, _, false) => chosen::<D, PLAIN, true>(inputs, drag, stretch),
+    }
+}
+
+fn chosen<D: Drag, const SUM: u8, const MOVE: bool>(
     inputs: &Inputs<'_>,
     drag: D,
     stretch: &mut Stretch<'_>,
@@ -46,178 +59,224 @@ fn chosen<D: Drag, const GATHER: bool, const FRACC: bool, const MOVE: bool>(
     #[cfg(target_arch = "x86_64")]
     if inputs.isa >= Isa::Avx2 && Isa::Avx2.is_here() {
         // SAFETY: the processor has it.
-        return unsafe { with_four::<D, GATHER, FRACC, MOVE>(inputs, drag, stretch) };
+        return unsafe { with_four::<D, SUM, MOVE>(inputs, drag, stretch) };
     }
-    run::<Plain, D, GATHER, FRACC, MOVE>(inputs, drag, stretch)
+    run::<Plain, D, SUM, MOVE>(inputs, drag, stretch)
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2")]
-fn with_four<D: Drag, const GATHER: bool, const FRACC: bool, const MOVE: bool>(
+fn with_four<D: Drag, const SUM: u8, const MOVE: bool>(
     inputs: &Inputs<'_>,
     drag: D,
     stretch: &mut Stretch<'_>,
 ) -> Watch {
-    run::<Four, D, GATHER, FRACC, MOVE>(inputs, drag, stretch)
+    run::<Four, D, SUM, MOVE>(inputs, drag, stretch)
 }
 
-/// What one particle leaves to be watched.
+/// What one particle leaves for FRACC.
 #[derive(Clone, Copy)]
 struct Seen<Q> {
-    /// Velocity and radius before and after.
+    /// Velocity and radius before.
     before: Q,
-    after: Q,
-    /// Change of the force, and the sums of its absolute contact forces.
+    /// Change of the force, and two parts of the scale that it is judged by.
     change: Q,
+    /// Its answer to force.
+    gain: Q,
+}
+
+impl<Q: Quad> Seen<Q> {
+    /// Of a particle that is not there: at rest, of radius one, under no force.
+    #[inline(always)]
+    fn nobody() -> Self {
+        let zero = Q::all(0.0);
+        Self {
+            before: zero.with_last(Q::all(1.0)),
+            change: zero,
+            gain: zero,
+        }
+    }
+}
+
+/// The loop over a stretch, ready to run.
+struct Loop<'a, Q: Quad, D> {
+    drag: D,
+    gather: Gather<'a>,
+    mobility: *const f64,
+    /// Constant forces, if any.
+    body: Option<*const [f64; 2]>,
+    /// Whether any contact resists rolling.
+    rolls: bool,
+    dt: Q,
+    part: Q,
+    /// Columns of the strain rate that carries all particles, and the point at rest in it.
+    flow: Option<[Q; 3]>,
+    watched: Watched<Q>,
 }
 
 #[inline(always)]
-fn run<Q: Quad, D: Drag, const GATHER: bool, const FRACC: bool, const MOVE: bool>(
+fn run<Q: Quad, D: Drag, const SUM: u8, const MOVE: bool>(
     inputs: &Inputs<'_>,
     drag: D,
     stretch: &mut Stretch<'_>,
 ) -> Watch {
     let Stretch { first, rows, force } = stretch;
-    let mut watched = Watched::<Q>::new();
-    // A particle that is not there: at rest, of radius one, under no force.
-    let nobody = Seen {
-        before: Q::of_four([0.0, 0.0, 0.0, 1.0]),
-        after: Q::of_four([0.0, 0.0, 0.0, 1.0]),
-        change: Q::all(0.0),
-    };
-    let count = rows.len().min(force.len());
-    let (mut k, mut p) = (0, *first);
-    while k < count {
-        let mut seen = [nobody; 4];
-        let mut gains = [0.0; 8];
-        let block = (count - k).min(4);
-        if block == 4 {
-            let (rows, force) = (&mut rows[k..k + 4], &mut force[k..k + 4]);
-            // One by one, so that what they leave stays in registers.
-            seen = [
-                one::<Q, D, GATHER, FRACC, MOVE>(inputs, &drag, p, &mut rows[0], &mut force[0]),
-                one::<Q, D, GATHER, FRACC, MOVE>(inputs, &drag, p + 1, &mut rows[1], &mut force[1]),
-                one::<Q, D, GATHER, FRACC, MOVE>(inputs, &drag, p + 2, &mut rows[2], &mut force[2]),
-                one::<Q, D, GATHER, FRACC, MOVE>(inputs, &drag, p + 3, &mut rows[3], &mut force[3]),
+    let (first, count) = (*first, rows.len());
+    let particles = inputs.mobility.len();
+    assert!(
+        force.len() == count
+            && first + count <= particles
+            && (inputs.body.is_empty() || inputs.body.len() == particles),
+        "columns of particles differ in length"
+    );
+    let mut all = Loop::<Q, D>::new(inputs, drag);
+    let far = particles > FAR;
+    let (rows, force) = (rows.as_mut_ptr(), force.as_mut_ptr());
+    let mut k = 0;
+    // SAFETY: a stretch has so many rows and sums, and its particles have mobilities, constant forces
+    // if any, and contacts.
+    unsafe {
+        while k + 4 <= count {
+            if SUM != DONE && far {
+                for lane in 0..4 {
+                    all.gather.ask_for(first + k + lane);
+                }
+            }
+            // One by one and by no closure, so that what they leave stays in registers.
+            let (p, row, sum) = (first + k, rows.add(k), force.add(k));
+            let seen = [
+                all.one::<SUM, MOVE>(p, row, sum),
+                all.one::<SUM, MOVE>(p + 1, row.add(1), sum.add(1)),
+                all.one::<SUM, MOVE>(p + 2, row.add(2), sum.add(2)),
+                all.one::<SUM, MOVE>(p + 3, row.add(3), sum.add(3)),
             ];
-        } else {
-            for lane in 0..block {
-                let (row, force) = (&mut rows[k + lane], &mut force[k + lane]);
-                seen[lane] = one::<Q, D, GATHER, FRACC, MOVE>(inputs, &drag, p + lane, row, force);
+            if SUM >= SUMMED && inputs.fracc {
+                all.watched.fracc(inputs.dt, p, &seen);
             }
+            k += 4;
         }
-        if GATHER && FRACC {
-            let [_, _, one, other] = Q::transposed([
-                seen[0].change,
-                seen[1].change,
-                seen[2].change,
-                seen[3].change,
-            ]);
-            let scales = (one + other).numbers();
-            for lane in 0..block {
-                force[k + lane].scale = scales[lane];
-                let [a, b] = inputs.mobility[p + lane].kick;
-                gains[lane] = a * b;
-            }
+        let mut seen = [Seen::nobody(); 4];
+        let p = first + k;
+        for seen in seen.iter_mut().take(count - k) {
+            *seen = all.one::<SUM, MOVE>(first + k, rows.add(k), force.add(k));
+            k += 1;
         }
-        if FRACC && inputs.fracc || MOVE {
-            watched.watch::<FRACC, MOVE>(inputs.dt, p, &seen, Q::of(&gains));
+        if SUM >= SUMMED && inputs.fracc {
+            all.watched.fracc(inputs.dt, p, &seen);
         }
-        k += block;
-        p += block;
     }
-    watched.result()
+    all.watched.result()
 }
 
-/// One particle.
-#[inline(always)]
-fn one<Q: Quad, D: Drag, const GATHER: bool, const FRACC: bool, const MOVE: bool>(
-    inputs: &Inputs<'_>,
-    drag: &D,
-    p: usize,
-    row: &mut Row,
-    force: &mut Sum,
-) -> Seen<Q> {
-    let contacts = inputs.contacts;
-    // SAFETY: rows, forces and mobilities are two and one times four numbers, and the list of a
-    // particle's entries names slots there are.
-    unsafe {
-        let state = std::ptr::from_mut(row).cast::<f64>();
-        let sum = std::ptr::from_mut(force).cast::<f64>();
-        let before = Q::read(state);
-        let mut total = Q::read(sum);
-        let mut change = Q::all(0.0);
-        if GATHER {
-            let (mut new, mut size) = (Q::all(0.0), Q::all(0.0));
-            let slots = contacts.slots.as_ptr().cast::<[f64; 4]>();
-            let whose = contacts.whose();
-            let signs = Q::of_four(SECOND);
-            for &k in whose.second(p) {
-                let slot = Q::read(slots.add(k as usize).cast());
-                new = new + signs * slot;
-                if FRACC {
-                    size = size + slot.abs();
-                }
-            }
-            for contacts in whose.first(p) {
-                for k in contacts {
-                    let slot = Q::read(slots.add(k).cast());
-                    new = new + slot;
-                    if FRACC {
-                        size = size + slot.abs();
-                    }
-                }
-            }
-            if contacts.rolls {
-                let mut sums = [0.0; 4];
-                new.write(sums.as_mut_ptr());
-                sums[2] -= sums[3] / *state.add(3);
-                new = Q::read(sums.as_ptr());
-            }
-            if FRACC {
-                change = (new - total).joined(size);
-            }
-            new = new.with_last(Q::all(0.0));
-            new.write(sum);
-            total = new;
+impl<'a, Q: Quad, D: Drag> Loop<'a, Q, D> {
+    #[inline(always)]
+    fn new(inputs: &Inputs<'a>, drag: D) -> Self {
+        let body = (!inputs.body.is_empty()).then_some(inputs.body.as_ptr());
+        let flow = inputs.flow.map(|(rate, [c1, c2])| {
+            [
+                Q::of_four([rate[0][0], rate[1][0], 0.0, 0.0]),
+                Q::of_four([rate[0][1], rate[1][1], 0.0, 0.0]),
+                Q::of_four([c1, c2, 0.0, 0.0]),
+            ]
+        });
+        Self {
+            drag,
+            gather: Gather::new(inputs.contacts, inputs.mobility.len()),
+            mobility: inputs.mobility.as_ptr().cast(),
+            body,
+            rolls: inputs.contacts.rolls,
+            dt: Q::all(inputs.dt),
+            part: Q::all(inputs.part),
+            flow,
+            watched: Watched::new(inputs),
         }
-        if !MOVE {
-            return Seen {
-                before,
-                after: before,
-                change,
+    }
+
+    /// Particle `p`.
+    ///
+    /// # Safety
+    /// There must be such a particle, and nobody else may work on its row and sum.
+    #[inline(always)]
+    unsafe fn one<const SUM: u8, const MOVE: bool>(
+        &mut self,
+        p: usize,
+        row: *mut Row,
+        force: *mut Sum,
+    ) -> Seen<Q> {
+        // SAFETY: the caller's; rows, sums and mobilities are two, one and one times four numbers.
+        unsafe {
+            let state = row.cast::<f64>();
+            let sum = force.cast::<f64>();
+            let mut seen = Seen::nobody();
+            let mut total = if SUM == DONE {
+                Q::read(sum)
+            } else {
+                let (total, change) = self.summed::<SUM>(p, state, sum);
+                total.write(sum);
+                seen.change = change;
+                total
             };
-        }
-        if let Some(body) = inputs.body.get(p) {
-            total = total + Q::read_two(body.as_ptr());
-        }
-        let mobility = std::ptr::from_ref(&inputs.mobility[p]).cast();
-        let gain = Q::all(inputs.part) * Q::read(mobility);
-        let dt = Q::all(inputs.dt);
-        let kicked = drag.kick(before, gain, total).with_last(before);
-        let place = Q::read(state.add(4));
-        let moved = place + kicked * dt;
-        if inputs.spin {
+            seen.before = Q::read(state);
+            seen.gain = Q::read(self.mobility.add(4 * p));
+            if !MOVE {
+                return seen;
+            }
+            if let Some(body) = self.body {
+                total = total + Q::read_two(body.add(p).cast());
+            }
+            let kicked = self.drag.kick(seen.before, self.part * seen.gain, total);
+            let kicked = kicked.with_last(seen.before);
+            let mut place = Q::read(state.add(4));
+            if let Some([first, second, centre]) = self.flow {
+                let [d1, d2] = (place - centre).spread();
+                place = place + -(first * d1 + second * d2) * self.dt;
+            }
+            let moved = place + kicked * self.dt;
             kicked.write(state);
             // Spin times radius, where contacts look for it.
-            let [_, _, spin, radius, ..] = kicked.numbers();
-            moved.with_last(Q::all(spin * radius)).write(state.add(4));
-        } else {
-            state.cast::<[f64; 2]>().write(kicked.first_two());
-            state.add(4).cast::<[f64; 2]>().write(moved.first_two());
+            moved
+                .with_last(kicked * kicked.swapped())
+                .write(state.add(4));
+            self.watched.speed(kicked);
+            seen
         }
-        Seen {
-            before,
-            after: kicked,
-            change,
+    }
+
+    /// The sums of the forces on particle `p` with the scale that goes with them, and their change.
+    #[inline(always)]
+    unsafe fn summed<const SUM: u8>(&self, p: usize, state: *const f64, sum: *const f64) -> (Q, Q) {
+        // SAFETY: the caller's: there is such a particle, with a row and a sum.
+        unsafe {
+            let sums = if SUM == SUMMED_WITH_SIZE {
+                self.gather.of::<Q, true>(p)
+            } else {
+                self.gather.of::<Q, false>(p)
+            };
+            let mut force = sums.force;
+            if self.rolls {
+                let mut sums = force.numbers();
+                sums[2] -= sums[3] / *state.add(3);
+                force = Q::of(&sums);
+            }
+            let was = Q::read(sum);
+            let total = force.with_last(if SUM == SUMMED_WITH_SIZE {
+                (sums.size + sums.size.swapped()).spread()[0]
+            } else {
+                was
+            });
+            (total, (total - was).with_last(total))
         }
     }
 }
 
-/// The largest of what was watched, in four lanes.
+/// The largest of what was watched.
 struct Watched<Q: Quad> {
+    /// Of the speeds in either direction.
     fastest: Q,
-    tame: bool,
+    /// No particle below it moves by its radius; and whether all are.
+    limit: Q,
+    tame: Q::Mask,
+    /// In four lanes.
     fracc: Q,
     /// Index of the particle of the largest FRACC⁴.
     index: Q,
@@ -225,40 +284,51 @@ struct Watched<Q: Quad> {
 
 impl<Q: Quad> Watched<Q> {
     #[inline(always)]
-    fn new() -> Self {
+    fn new(inputs: &Inputs<'_>) -> Self {
+        let zero = Q::all(0.0);
         Self {
-            fastest: Q::all(0.0),
-            tame: true,
-            fracc: Q::all(0.0),
-            index: Q::all(0.0),
+            fastest: zero,
+            limit: Q::of_four([inputs.limit, inputs.limit, f64::INFINITY, f64::INFINITY]),
+            tame: Q::mask(0b1111),
+            fracc: zero,
+            index: zero,
         }
     }
 
     #[inline(always)]
-    fn watch<const FRACC: bool, const MOVE: bool>(
-        &mut self,
-        dt: f64,
-        first: usize,
-        seen: &[Seen<Q>; 4],
-        gain: Q,
-    ) {
+    fn speed(&mut self, velocity: Q) {
+        let speed = velocity.abs();
+        self.fastest = self.fastest.larger(speed);
+        // Written so that what is not a number fails it.
+        self.tame = self.tame & self.limit.at_least(speed);
+    }
+
+    /// FRACC⁴ of four particles from `first`, (4.35) to (4.40) with the vector difference of the force
+    /// sums: dt⁴ |ΔΣF|²/(16 m² |Δx|²). Zero where it says nothing: neither place nor force changed beyond
+    /// rounding, or the velocity is prescribed.
+    #[inline(always)]
+    fn fracc(&mut self, dt: f64, first: usize, [a, b, c, d]: &[Seen<Q>; 4]) {
+        let [v1, v2, _, radius] = Q::transposed([a.before, b.before, c.before, d.before]);
+        let [gain1, gain2, ..] = Q::transposed([a.gain, b.gain, c.gain, d.gain]);
+        let [d1, d2, _, scale] = Q::transposed([a.change, b.change, c.change, d.change]);
+        let change = d1 * d1 + d2 * d2;
+        let speed = v1 * v1 + v2 * v2;
+        let noise = Q::all(1e-12) * scale;
+        let rest = Q::all(1e-15) * radius;
         let dt2 = Q::all(dt * dt);
-        if MOVE {
-            let [a, b, c, d] = seen;
-            let [v1, v2, _, radius] = Q::transposed([a.after, b.after, c.after, d.after]);
-            let speed = v1 * v1 + v2 * v2;
-            // Written so that what is not a number fails it.
-            self.tame &= Q::bits((radius * radius).above(speed * dt2)) == 0b1111;
-            self.fastest = Q::pick(speed.above(self.fastest), speed, self.fastest);
+        let says = change.above(noise * noise) & (speed * dt2).above(rest * rest);
+        let (above, below) = (gain1 * gain2 * change, Q::all(16.0) * speed);
+        // Divided only if it may be the largest so far, which it seldom is.
+        let least = Q::all(1.0 - 1e-12) * self.fracc * below;
+        let says = says & above.above(least);
+        if !Q::any(says) {
+            return;
         }
-        if FRACC {
-            let fracc = fracc4(dt2, seen, gain);
-            let larger = fracc.above(self.fracc);
-            let first = first as f64;
-            let index = Q::of_four([first, first + 1.0, first + 2.0, first + 3.0]);
-            self.fracc = Q::pick(larger, fracc, self.fracc);
-            self.index = Q::pick(larger, index, self.index);
-        }
+        let fracc = above / below;
+        let larger = says & fracc.above(self.fracc);
+        self.fracc = Q::pick(larger, fracc, self.fracc);
+        let index = Q::all(first as f64) + Q::of_four([0.0, 1.0, 2.0, 3.0]);
+        self.index = Q::pick(larger, index, self.index);
     }
 
     #[inline(always)]
@@ -269,11 +339,11 @@ impl<Q: Quad> Watched<Q> {
             self.index.numbers(),
         ];
         let mut watch = Watch {
-            wild: !self.tame,
-            ..Watch::NOTHING
+            fastest: fastest[0] * fastest[0] + fastest[1] * fastest[1],
+            tame: Q::bits(self.tame) == 0b1111,
+            fracc: (0.0, 0),
         };
         for lane in 0..4 {
-            watch.fastest = watch.fastest.max(fastest[lane]);
             let (most, which) = watch.fracc;
             let earlier = fracc[lane] == most && (index[lane] as usize) < which;
             if fracc[lane] > most || earlier && most > 0.0 {
@@ -282,20 +352,4 @@ impl<Q: Quad> Watched<Q> {
         }
         watch
     }
-}
-
-/// FRACC⁴ of four particles, (4.35) to (4.40) with the vector difference of the force sums:
-/// dt⁴ |ΔΣF|²/(16 m² |Δx|²). Zero where it says nothing: neither place nor force changed beyond
-/// rounding, or the velocity is prescribed.
-#[inline(always)]
-fn fracc4<Q: Quad>(dt2: Q, [a, b, c, d]: &[Seen<Q>; 4], gain: Q) -> Q {
-    let [v1, v2, _, radius] = Q::transposed([a.before, b.before, c.before, d.before]);
-    let [d1, d2, size1, size2] = Q::transposed([a.change, b.change, c.change, d.change]);
-    let change = d1 * d1 + d2 * d2;
-    let speed = v1 * v1 + v2 * v2;
-    let noise = Q::all(1e-12) * (size1 + size2);
-    let rest = Q::all(1e-15) * radius;
-    let says = change.above(noise * noise) & (speed * dt2).above(rest * rest);
-    let fracc = gain * change / (Q::all(16.0) * speed);
-    Q::pick(says, fracc, Q::all(0.0))
 }

@@ -4,10 +4,12 @@
 //! (36), Cundall's local damping and Randall's CON1. Velocities stand at half steps.
 
 mod drag;
+mod gather;
 mod kernel;
 
 pub(super) use drag::{Dragged, before, kick};
 
+use super::boundary::Tensor;
 use super::lanes::Isa;
 use super::neighbours::list::ContactList;
 use super::particles::{Mobility, Row, Sum};
@@ -16,10 +18,10 @@ use super::threads::{MAX_THREADS, Threads, share};
 /// What the pass noticed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Watch {
-    /// Square of the largest speed [m²/s²].
+    /// Square of a speed that no particle exceeds: of the largest components [m²/s²].
     pub fastest: f64,
-    /// Whether some particle moved by its radius or more, or not by a number.
-    pub wild: bool,
+    /// Whether all velocities are numbers below the limit.
+    pub tame: bool,
     /// Largest FRACC⁴, and the index of its particle.
     pub fracc: (f64, usize),
 }
@@ -27,14 +29,14 @@ pub struct Watch {
 impl Watch {
     pub(super) const NOTHING: Self = Self {
         fastest: 0.0,
-        wild: false,
+        tame: true,
         fracc: (0.0, 0),
     };
 
     fn and(self, other: Self) -> Self {
         Self {
             fastest: self.fastest.max(other.fastest),
-            wild: self.wild || other.wild,
+            tame: self.tame && other.tame,
             // Equal values: the earlier stretch holds the lower number.
             fracc: if other.fracc.0 > self.fracc.0 {
                 other.fracc
@@ -58,10 +60,13 @@ pub(super) struct Inputs<'a> {
     pub(super) part: f64,
     /// Whether forces were already summed.
     pub(super) settled: bool,
-    /// Whether FRACC is evaluated.
+    /// Whether FRACC is evaluated, and whether the scale of the forces that it is judged by is made anew.
     pub(super) fracc: bool,
-    /// Whether spins exist.
-    pub(super) spin: bool,
+    pub(super) size: bool,
+    /// Particles below it in both directions do not move by their radius in a step [m/s].
+    pub(super) limit: f64,
+    /// Strain rate that carries all particles [1/s], and the point at rest in it [m].
+    pub(super) flow: Option<(Tensor, [f64; 2])>,
     pub(super) drag: Option<Dragged>,
     /// Vector instructions.
     pub(super) isa: Isa,

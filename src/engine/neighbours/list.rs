@@ -27,7 +27,7 @@ pub struct ContactList {
     pub walls: Vec<WallPair>,
     /// Where the wall pairs stand now.
     pub touches: Vec<WallTouch>,
-    /// Force of each contact on its first body.
+    /// Force of each contact on its first body, and one more that is nobody's: always zero.
     pub slots: Vec<Slot>,
     /// How each contact stands.
     pub status: Vec<Status>,
@@ -46,6 +46,8 @@ pub struct ContactList {
     pub(in crate::engine) stretch: f64,
     /// Largest distance of centres in the list [m].
     pub(in crate::engine) reach: f64,
+    /// Smallest radius [m].
+    pub(in crate::engine) smallest: f64,
     /// Mean radius [m].
     pub(in crate::engine) radius: f64,
     /// Cycle in which the list was made.
@@ -115,21 +117,21 @@ impl ContactList {
                 Some(&*grid)
             }
             Some(cell) => {
-                let all = (rows.as_slice(), cell);
+                let all = (&**rows, cell);
                 work.tiling.pairs(grid, all, within, party, threads);
                 None
             }
         };
         search::wall_pairs(boxes, rows, walls, tol, &mut work.walls);
         self.carry_over([pairs, at_walls]);
-        let room = [pairs, at_walls];
-        self.whose.note(rows.len(), &self.pairs, &self.walls, room);
+        self.whose.note(rows.len(), &self.pairs, &self.walls);
         self.reference.clear();
         self.reference.extend(rows.iter().map(|row| row.x));
         self.travel = 0.0;
         self.wall_travel = 0.0;
         self.stretch = 0.0;
         self.reach = 2.0 * largest + tol;
+        self.smallest = particles.smallest_radius();
         self.radius = sum / rows.len() as f64;
         let [low, high] = particles.extent();
         let margin = largest + 2.0 * tol;
@@ -186,7 +188,8 @@ impl ContactList {
             *old += shift;
         }
         let room = pairs + at_walls;
-        carry(&mut self.slots, &work.old, 0, room, |_| Slot::default());
+        carry(&mut self.slots, &work.old, 0, room + 1, |_| Slot::default());
+        self.slots.push(Slot::default());
         carry(&mut self.status, &work.old, 0, room, |_| Status::default());
         std::mem::swap(&mut self.pairs, &mut found.pairs);
         std::mem::swap(&mut self.images, &mut found.images);
@@ -204,11 +207,11 @@ impl ContactList {
             && self.walls.is_sorted_by_key(|wall| wall.particle)
             && (self.walls.iter()).all(|at| known(at.particle) && (at.wall as usize) < walls)
             && (self.images.is_empty() || self.images.len() == pairs)
-            && [self.slots.len(), self.status.len()] == [all; 2]
+            && [self.slots.len(), self.status.len()] == [all + 1, all]
+            && self.slots.last() == Some(&Slot::default())
             && self.touches.len() == at_walls;
         if fits {
-            let room = Self::room(particles);
-            self.whose.note(particles, &self.pairs, &self.walls, room);
+            self.whose.note(particles, &self.pairs, &self.walls);
         }
         fits
     }
@@ -216,9 +219,9 @@ impl ContactList {
     /// Contact numbers of a particle, and whether it is the second body there: ascending partners,
     /// then walls.
     pub fn of(&self, p: usize) -> impl Iterator<Item = (usize, bool)> + '_ {
-        let [own, walls] = self.whose.first(p);
-        let second = self.whose.second(p).iter().map(|&k| (k as usize, true));
-        second.chain(own.chain(walls).map(|k| (k, false)))
+        let second = self.whose.second(p).map(|k| (k, true));
+        let first = self.whose.first(p).chain(self.whose.at_walls(p));
+        second.chain(first.map(|k| (k, false)))
     }
 
     /// Which contacts are whose.
@@ -319,6 +322,7 @@ impl ContactList {
         }
         self.pairs = chosen(&self.pairs, &keep[..self.pairs.len()]);
         self.slots = chosen(&self.slots, &keep);
+        self.slots.push(Slot::default());
         self.status = chosen(&self.status, &keep);
         (0..keep.len() as u32)
             .filter(|&k| keep[k as usize])
@@ -334,9 +338,9 @@ impl ContactList {
     /// Bytes of the list per contact and per particle, buffers included, in a periodic cell or not.
     pub(in crate::engine) fn bytes(cell: bool) -> [usize; 2] {
         let [pair, image] = [size_of::<[u32; 2]>(), size_of::<Image>()];
-        // Two lists of pairs; the old place of each, and its second body's way to it.
-        let words = 2 * size_of::<u32>();
-        let contact = 2 * pair + size_of::<Slot>() + size_of::<Status>() + words;
+        // Two lists of pairs, and the old place of each.
+        let place = size_of::<u32>();
+        let contact = 2 * pair + size_of::<Slot>() + size_of::<Status>() + place;
         let particle = size_of::<[f64; 2]>() + Whose::BYTES + Grid::BYTES;
         if cell {
             // Pairs as they are seen; the last image of each particle.
@@ -365,16 +369,19 @@ mod tests {
     fn a_list_of_another_world_is_refused() {
         let list = |pairs: &[[u32; 2]]| ContactList {
             pairs: pairs.to_vec(),
-            slots: vec![Slot::default(); pairs.len()],
+            slots: vec![Slot::default(); pairs.len() + 1],
             status: vec![Status::Apart; pairs.len()],
             ..ContactList::default()
         };
         assert!(list(&[[0, 1], [0, 2], [1, 2]]).unpack(3, 0));
-        // A particle that is not there, another order, and a slot too few.
+        // A particle that is not there, another order, a slot too few, and a force on nobody.
         assert!(!list(&[[0, 1], [0, 2], [1, 2]]).unpack(2, 0));
         assert!(!list(&[[1, 2], [0, 1]]).unpack(3, 0));
         let mut short = list(&[[0, 1], [1, 2]]);
         short.slots.pop();
         assert!(!short.unpack(3, 0));
+        let mut pushed = list(&[[0, 1]]);
+        pushed.slots[1] = Slot([1.0, 0.0, 0.0, 0.0]);
+        assert!(!pushed.unpack(3, 0));
     }
 }

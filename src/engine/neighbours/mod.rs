@@ -13,7 +13,7 @@ mod party;
 mod periodic;
 mod search;
 pub(super) mod skin;
-mod whose;
+pub(super) mod whose;
 
 use serde::{Deserialize, Serialize};
 

@@ -1,122 +1,229 @@
 //! Which contacts are whose: how a particle finds the slots with its forces.
 //!
-//! In the list the contacts of a particle with higher ones follow each other, and so do those with
-//! walls: where they begin is enough. Only those with lower ones are named one by one.
+//! A few places for each particle, so that its forces can be summed without asking how many there
+//! are; those who touch more have the others noted elsewhere.
 
 use std::ops::Range;
 
 use crate::engine::wall_contact::WallPair;
 
+/// Places for pairs in which a particle is the second body, and for those in which it is the first.
+/// Particles stand along a curve, so some have all their neighbours after them: more than six of these,
+/// or four of those, have two in a hundred.
+const PLACES: [usize; 2] = [4, 6];
+
+/// A last place with this bit says where there are more.
+const MORE: u32 = 1 << 31;
+
+/// A place holds the first of the numbers of a slot: its contact times this.
+pub(in crate::engine) const NUMBERS: u32 = 4;
+
+/// Places of a particle: pairs in which it is the second body, and then those in which it is the first,
+/// either ascending and filled up with nobody's.
+pub(in crate::engine) type Places = [u32; PLACES[0] + PLACES[1]];
+
+/// The last of each kind.
+pub(in crate::engine) const LASTS: [usize; 2] = [PLACES[0] - 1, PLACES[0] + PLACES[1] - 1];
+
+/// Where those of each kind are.
+const KINDS: [Range<usize>; 2] = [0..PLACES[0], PLACES[0]..PLACES[0] + PLACES[1]];
+
 /// The contacts of each particle.
 #[derive(Debug, Default)]
 pub(in crate::engine) struct Whose {
-    /// First pair of each particle with a higher one.
-    own: Vec<u32>,
-    /// First of each particle in `second`.
-    starts: Vec<u32>,
-    /// Pairs in which the particle is the second body, ascending.
-    second: Vec<u32>,
+    /// Of each particle. Of more pairs than places the last says where it and the others are.
+    places: Vec<Places>,
+    /// The others: how many, and then they.
+    more: Vec<u32>,
     /// First contact of each particle with a wall; empty without walls.
     walls: Vec<u32>,
+    /// What stands where there is no contact.
+    nobody: u32,
+    /// Pairs of either kind of each particle, as they are counted and noted.
+    noted: Vec<[u32; 2]>,
 }
 
 impl Whose {
     /// Bytes per particle.
-    pub(super) const BYTES: usize = 3 * size_of::<u32>();
+    pub(super) const BYTES: usize = size_of::<Places>() + size_of::<[u32; 2]>();
 
-    /// Notes the contacts of so many particles. `room` is how many memory is kept ready for.
-    pub(super) fn note(
-        &mut self,
-        particles: usize,
-        pairs: &[[u32; 2]],
-        walls: &[WallPair],
-        room: [usize; 2],
-    ) {
-        begin(
-            &mut self.own,
-            particles,
-            0,
-            pairs.iter().map(|pair| pair[0]),
-        );
-        begin(
-            &mut self.starts,
-            particles,
-            0,
-            pairs.iter().map(|pair| pair[1]),
-        );
-        self.second.clear();
-        self.second.reserve(room[0]);
-        self.second.resize(pairs.len(), 0);
-        for (k, pair) in pairs.iter().enumerate().rev() {
-            // Filled from the back: what follows a particle's start moves down to it.
-            let next = &mut self.starts[pair[1] as usize + 1];
-            *next -= 1;
-            self.second[*next as usize] = k as u32;
-        }
-        // Each start now stands where the next one's was.
-        self.starts.rotate_left(1);
-        if let Some(last) = self.starts.last_mut() {
-            *last = pairs.len() as u32;
+    /// Notes the contacts of so many particles.
+    ///
+    /// # Panics
+    /// If there are half a milliard contacts.
+    pub(super) fn note(&mut self, particles: usize, pairs: &[[u32; 2]], walls: &[WallPair]) {
+        let contacts = (pairs.len() + walls.len()) as u32;
+        assert!(contacts < MORE / NUMBERS, "too many contacts to number");
+        self.nobody = contacts * NUMBERS;
+        self.make_room(particles, pairs);
+        for (k, pair) in (0..).zip(pairs) {
+            self.enter(k * NUMBERS, pair[1] as usize, 0);
+            self.enter(k * NUMBERS, pair[0] as usize, 1);
         }
         self.walls.clear();
         if !walls.is_empty() {
-            let of = walls.iter().map(|wall| wall.particle);
-            begin(&mut self.walls, particles, pairs.len(), of);
+            self.walls.resize(particles + 1, 0);
+            for wall in walls {
+                self.walls[wall.particle as usize + 1] += 1;
+            }
+            self.walls[0] = pairs.len() as u32;
+            for p in 0..particles {
+                self.walls[p + 1] += self.walls[p];
+            }
         }
     }
 
-    /// Pairs in which the particle is the second body.
-    #[inline(always)]
-    pub(in crate::engine) fn second(&self, p: usize) -> &[u32] {
-        &self.second[self.starts[p] as usize..self.starts[p + 1] as usize]
+    fn make_room(&mut self, particles: usize, pairs: &[[u32; 2]]) {
+        self.noted.clear();
+        self.noted.resize(particles, [0; 2]);
+        for &[i, j] in pairs {
+            for (p, kind) in [(i, 1), (j, 0)] {
+                self.noted[p as usize][kind] += 1;
+            }
+        }
+        self.places.clear();
+        self.places
+            .resize(particles, [self.nobody; PLACES[0] + PLACES[1]]);
+        self.more.clear();
+        // So that a list made again seldom asks for memory.
+        self.more.reserve(particles);
+        for (places, noted) in self.places.iter_mut().zip(&mut self.noted) {
+            for (kind, noted) in noted.iter_mut().enumerate() {
+                let count = std::mem::take(noted) as usize;
+                if count > PLACES[kind] {
+                    let others = count + 1 - PLACES[kind];
+                    places[KINDS[kind].end - 1] = MORE | self.more.len() as u32;
+                    self.more.push(others as u32);
+                    self.more.resize(self.more.len() + others, self.nobody);
+                }
+            }
+        }
     }
 
-    /// Pairs in which it is the first, and its contacts with walls.
+    fn enter(&mut self, slot: u32, p: usize, kind: usize) {
+        let places = &mut self.places[p][KINDS[kind].clone()];
+        let noted = &mut self.noted[p][kind];
+        let place = *noted as usize;
+        *noted += 1;
+        let last = places.len() - 1;
+        match others(places[last]) {
+            Some(at) if place >= last => self.more[at + 1 + place - last] = slot,
+            _ => places[place] = slot,
+        }
+    }
+
+    /// Places of each particle.
     #[inline(always)]
-    pub(in crate::engine) fn first(&self, p: usize) -> [Range<usize>; 2] {
-        let own = self.own[p] as usize..self.own[p + 1] as usize;
+    pub(in crate::engine) fn places(&self) -> &[Places] {
+        &self.places
+    }
+
+    /// Whether a last place stands for several.
+    #[inline(always)]
+    pub(in crate::engine) fn is_more(last: u32) -> bool {
+        last & MORE != 0
+    }
+
+    /// What the last place of a particle stands for, if not for a slot itself.
+    #[inline(always)]
+    pub(in crate::engine) fn others(&self, last: u32) -> Option<&[u32]> {
+        others(last).map(|at| {
+            let (count, rest) = (self.more[at] as usize, &self.more[at + 1..]);
+            &rest[..count]
+        })
+    }
+
+    /// Whether anybody is near a wall.
+    pub(in crate::engine) fn meet_walls(&self) -> bool {
+        !self.walls.is_empty()
+    }
+
+    /// Contacts of a particle with walls.
+    #[inline(always)]
+    pub(in crate::engine) fn at_walls(&self, p: usize) -> Range<usize> {
         if self.walls.is_empty() {
-            return [own, 0..0];
+            return 0..0;
         }
-        [own, self.walls[p] as usize..self.walls[p + 1] as usize]
+        self.walls[p] as usize..self.walls[p + 1] as usize
+    }
+
+    /// Pairs in which the particle is the second body, ascending.
+    pub(super) fn second(&self, p: usize) -> impl Iterator<Item = usize> + '_ {
+        self.pairs(p, 0)
+    }
+
+    /// Pairs in which it is the first, ascending.
+    pub(super) fn first(&self, p: usize) -> impl Iterator<Item = usize> + '_ {
+        self.pairs(p, 1)
+    }
+
+    fn pairs(&self, p: usize, kind: usize) -> impl Iterator<Item = usize> + '_ {
+        let places = &self.places[p][KINDS[kind].clone()];
+        let others = self.others(places[places.len() - 1]).unwrap_or_default();
+        let own = places.iter().filter(|&&slot| slot < self.nobody);
+        own.chain(others).map(|slot| (slot / NUMBERS) as usize)
     }
 }
 
-/// Where the items of each particle begin, counted from `first`, and where the last end.
-fn begin(starts: &mut Vec<u32>, particles: usize, first: usize, of: impl Iterator<Item = u32>) {
-    starts.clear();
-    starts.resize(particles + 1, 0);
-    for p in of {
-        starts[p as usize + 1] += 1;
-    }
-    starts[0] = first as u32;
-    for p in 1..starts.len() {
-        starts[p] += starts[p - 1];
-    }
+/// Where the others are that a last place stands for.
+#[inline(always)]
+fn others(last: u32) -> Option<usize> {
+    (last & MORE != 0).then_some((last & !MORE) as usize)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    #[test]
-    fn everybody_finds_all_of_theirs_in_order() {
-        let pairs = [[0, 1], [0, 3], [1, 1], [1, 3], [2, 3]];
-        let wall = |particle| WallPair {
+    fn wall(particle: u32) -> WallPair {
+        WallPair {
             particle,
             wall: 0,
             side: 1.0,
-        };
-        let walls = [wall(1), wall(3), wall(3)];
+        }
+    }
+
+    /// What each particle finds, and what it should, by the kind of its pairs.
+    fn assert_all_are_found(whose: &Whose, particles: usize, pairs: &[[u32; 2]]) {
+        for p in 0..particles {
+            let of = |body: usize| {
+                let pairs = pairs.iter().enumerate();
+                let found = pairs.filter(move |(_, pair)| pair[body] as usize == p);
+                found.map(|(k, _)| k).collect::<Vec<_>>()
+            };
+            assert_eq!(whose.second(p).collect::<Vec<_>>(), of(1), "{p}");
+            assert_eq!(whose.first(p).collect::<Vec<_>>(), of(0), "{p}");
+        }
+    }
+
+    #[test]
+    fn everybody_finds_all_of_theirs_in_order() {
+        let pairs = [[0, 1], [0, 3], [1, 1], [1, 3], [2, 3]];
         let mut whose = Whose::default();
-        whose.note(4, &pairs, &walls, [8, 4]);
-        let second: Vec<&[u32]> = (0..4).map(|p| whose.second(p)).collect();
-        assert_eq!(second, [&[][..], &[0, 2], &[], &[1, 3, 4]]);
-        let first: Vec<[Range<usize>; 2]> = (0..4).map(|p| whose.first(p)).collect();
-        let expected = [[0..2, 5..5], [2..4, 5..6], [4..5, 6..6], [5..5, 6..8]];
-        assert_eq!(first, expected);
-        whose.note(4, &pairs[..1], &[], [8, 4]);
-        assert_eq!(whose.first(3), [1..1, 0..0]);
-        assert_eq!(whose.second(1), [0]);
+        whose.note(4, &pairs, &[wall(1), wall(3), wall(3)]);
+        assert_all_are_found(&whose, 4, &pairs);
+        assert_eq!(whose.places()[3], [4, 12, 16, 32, 32, 32, 32, 32, 32, 32]);
+        let at_walls: Vec<Range<usize>> = (0..4).map(|p| whose.at_walls(p)).collect();
+        assert_eq!(at_walls, [5..5, 5..6, 6..6, 6..8]);
+        whose.note(4, &pairs[..1], &[]);
+        assert_all_are_found(&whose, 4, &pairs[..1]);
+        assert_eq!((whose.at_walls(3), whose.meet_walls()), (0..0, false));
+    }
+
+    #[test]
+    fn who_has_more_contacts_than_places_finds_them_elsewhere() {
+        // Particle 5 is the second body of 5 pairs, 6 of 4, 7 of 7; 0 is the first of 9.
+        let mut pairs: Vec<[u32; 2]> = (0..5).map(|i| [i, 5]).collect();
+        pairs.extend((0..4).map(|i| [i, 6]));
+        pairs.extend((0..7).map(|i| [i, 7]));
+        pairs.extend((8..14).map(|j| [0, j]));
+        pairs.sort_unstable();
+        let mut whose = Whose::default();
+        whose.note(14, &pairs, &[]);
+        assert_all_are_found(&whose, 14, &pairs);
+        let others = |p: usize, place: usize| whose.others(whose.places()[p][place]);
+        assert_eq!([others(6, 3), others(1, 9)], [None; 2]);
+        assert_eq!(others(7, 3).map(<[u32]>::len), Some(4));
+        assert_eq!(others(0, 9).map(<[u32]>::len), Some(4));
     }
 }

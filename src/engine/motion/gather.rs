@@ -1,0 +1,178 @@
+//! The sum of the contact forces on a particle, in an order that the list alone decides.
+//!
+//! How many contacts a particle has no processor foresees, and a loop that ends unexpectedly costs
+//! as much as ten sums: so the first few of either kind are summed always, with nobody's slot, which
+//! is zero, where there is no contact.
+#![allow(
+    unsafe_code,
+    reason = "slots by pointer; each use says what it relies on"
+)]
+
+use crate::engine::lanes::Quad;
+use crate::engine::neighbours::list::ContactList;
+use crate::engine::neighbours::whose::{LASTS, NUMBERS, Places, Whose};
+
+/// Signs of force, tangential force and rolling moment on the second body, beside those on the first.
+const SECOND: [f64; 4] = [-1.0, -1.0, 1.0, -1.0];
+
+/// Particles whose slots are asked for before their turn.
+const AHEAD: usize = 16;
+
+/// Where forces are found.
+#[derive(Clone, Copy)]
+pub(super) struct Gather<'a> {
+    slots: *const f64,
+    places: *const Places,
+    particles: usize,
+    whose: &'a Whose,
+    /// Whether anybody is near a wall.
+    walls: bool,
+}
+
+/// Sums over contacts of one particle.
+#[derive(Clone, Copy)]
+pub(super) struct Total<Q> {
+    /// Of the forces.
+    pub(super) force: Q,
+    /// Of their absolute values, if asked for.
+    pub(super) size: Q,
+}
+
+impl<'a> Gather<'a> {
+    /// From the list of contacts of so many particles.
+    ///
+    /// # Panics
+    /// If it is one of another number of particles.
+    pub(super) fn new(contacts: &'a ContactList, particles: usize) -> Self {
+        let whose = contacts.whose();
+        assert!(
+            whose.places().len() == particles && contacts.slots.len() > contacts.len(),
+            "a list of other particles"
+        );
+        Self {
+            slots: contacts.slots.as_ptr().cast(),
+            places: whose.places().as_ptr(),
+            particles,
+            whose,
+            walls: whose.meet_walls(),
+        }
+    }
+
+    /// Asks for the slots of lower particles that somebody further on needs.
+    #[inline(always)]
+    pub(super) fn ask_for(&self, p: usize) {
+        #[cfg(target_arch = "x86_64")]
+        if p + AHEAD < self.particles {
+            use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
+            // SAFETY: there is such a particle; asking for memory is harmless, whatever is there.
+            unsafe {
+                let [a, b, c, d, ..] = *self.places.add(p + AHEAD);
+                for slot in [a, b, c, d] {
+                    _mm_prefetch::<_MM_HINT_T0>(self.slots.wrapping_add(slot as usize).cast());
+                }
+            }
+        }
+    }
+
+    /// The sums of particle `p`, with absolute values if `SIZE`: over either kind of its pairs in the order
+    /// of the list, so that pairs that do not touch change no bit.
+    ///
+    /// # Safety
+    /// There must be such a particle.
+    #[inline(always)]
+    pub(super) unsafe fn of<Q: Quad, const SIZE: bool>(&self, p: usize) -> Total<Q> {
+        // SAFETY: the caller's, and places name slots there are, nobody's included.
+        unsafe {
+            let places: *const u32 = self.places.add(p).cast();
+            let crowded = Whose::is_more(*places.add(LASTS[0]) | *places.add(LASTS[1]));
+            if crowded || self.walls && !self.whose.at_walls(p).is_empty() {
+                let [force, size] = self.one_by_one(p);
+                return Total {
+                    force: Q::of_four(force),
+                    size: Q::of_four(size),
+                };
+            }
+            let slot = |k: usize| self.slots.add(*places.add(k) as usize);
+            let second = Total::<Q>::of::<SIZE>([slot(0), slot(1)])
+                .and::<SIZE>(slot(2))
+                .and::<SIZE>(slot(3));
+            let first = Total::<Q>::of::<SIZE>([slot(4), slot(5)])
+                .and::<SIZE>(slot(6))
+                .and::<SIZE>(slot(7))
+                .and::<SIZE>(slot(8))
+                .and::<SIZE>(slot(9));
+            Total {
+                // No negative nought, whose sign would depend on what does not touch.
+                force: Q::of_four(SECOND) * second.force + first.force + Q::all(0.0),
+                size: second.size + first.size,
+            }
+        }
+    }
+
+    /// The same for a particle some of whose contacts have no place.
+    #[cold]
+    #[inline(never)]
+    unsafe fn one_by_one(&self, p: usize) -> [[f64; 4]; 2] {
+        // SAFETY: the caller's: there is such a particle.
+        let places = unsafe { &*self.places.add(p) };
+        // SAFETY: the list names slots there are.
+        let slot = |first: u32| unsafe { self.slots.add(first as usize).cast::<[f64; 4]>().read() };
+        let pairs = |from: usize, last: usize| {
+            let (own, others) = match self.whose.others(places[last]) {
+                None => (&places[from..=last], &[][..]),
+                Some(others) => (&places[from..last], others),
+            };
+            own.iter().chain(others).map(|&first| slot(first))
+        };
+        let walls = self.whose.at_walls(p).map(|k| slot(k as u32 * NUMBERS));
+        let second = sums(pairs(0, LASTS[0]));
+        let first = sums(pairs(LASTS[0] + 1, LASTS[1]).chain(walls));
+        [
+            [0, 1, 2, 3].map(|k| SECOND[k] * second[0][k] + first[0][k] + 0.0),
+            [0, 1, 2, 3].map(|k| second[1][k] + first[1][k]),
+        ]
+    }
+}
+
+/// Sums of numbers and of their absolute values.
+fn sums(slots: impl Iterator<Item = [f64; 4]>) -> [[f64; 4]; 2] {
+    let mut sums = [[0.0; 4]; 2];
+    for slot in slots {
+        for k in 0..4 {
+            sums[0][k] += slot[k];
+            sums[1][k] += slot[k].abs();
+        }
+    }
+    sums
+}
+
+impl<Q: Quad> Total<Q> {
+    /// Of two slots.
+    #[inline(always)]
+    unsafe fn of<const SIZE: bool>([one, other]: [*const f64; 2]) -> Self {
+        // SAFETY: the caller's: there are such slots.
+        let (one, other) = unsafe { (Q::read(one), Q::read(other)) };
+        Self {
+            force: one + other,
+            size: if SIZE {
+                one.abs() + other.abs()
+            } else {
+                Q::all(0.0)
+            },
+        }
+    }
+
+    #[inline(always)]
+    unsafe fn and<const SIZE: bool>(self, slot: *const f64) -> Self {
+        // SAFETY: the caller's: there is such a slot.
+        let slot = unsafe { Q::read(slot) };
+        Self {
+            force: self.force + slot,
+            size: if SIZE {
+                self.size + slot.abs()
+            } else {
+                self.size
+            },
+        }
+    }
+}
