@@ -96,7 +96,8 @@ impl World {
     ) -> Watch {
         let part = self.kick_part();
         let flow = self.flow();
-        let due = self.fracc_due();
+        let due = self.fracc_due_at(self.cycle);
+        let keep = self.fracc_due_at(self.cycle + 1);
         let Self {
             particles,
             contacts,
@@ -113,6 +114,7 @@ impl World {
             settled: self.settled,
             // Before the first step nothing has changed yet.
             fracc: !self.first_kick && due,
+            keep,
             size: self.cycle.is_multiple_of(SIZE_EVERY),
             limit: 0.7 * contacts.smallest / self.dt,
             flow,
@@ -127,8 +129,8 @@ impl World {
         self.model.rotation && (self.pass().tangential() || self.turning)
     }
 
-    fn fracc_due(&self) -> bool {
-        self.cycle.is_multiple_of(u64::from(self.model.fracc_every))
+    fn fracc_due_at(&self, cycle: u64) -> bool {
+        cycle.is_multiple_of(u64::from(self.model.fracc_every))
     }
 
     /// The first kick is half a step.
@@ -137,7 +139,7 @@ impl World {
     }
 
     fn note_fracc(&mut self, watch: &Watch) {
-        if self.settled || self.first_kick || !self.fracc_due() {
+        if self.settled || self.first_kick || !self.fracc_due_at(self.cycle) {
             return;
         }
         let (fourth, index) = watch.fracc;

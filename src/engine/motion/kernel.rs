@@ -8,7 +8,7 @@
 )]
 
 use super::drag::{Drag, Free};
-use super::gather::Gather;
+use super::gather::{Gather, Total};
 use super::{Inputs, Stretch, Watch};
 #[cfg(target_arch = "x86_64")]
 use crate::engine::lanes::Four;
@@ -35,19 +35,22 @@ pub(super) fn sum(inputs: &Inputs<'_>, stretch: &mut Stretch<'_>) -> Watch {
     }
 }
 
-/// What is done about the forces: nothing, as they are summed; or they are summed; and their change is
-/// kept for FRACC; and so is the size of their parts.
+/// What is done about the forces: nothing, as they are summed; or they are summed and used; and kept,
+/// too; and with the scale that FRACC judges their change by.
 const DONE: u8 = 0;
-const PLAIN: u8 = 1;
+const USED: u8 = 1;
 const SUMMED: u8 = 2;
 const SUMMED_WITH_SIZE: u8 = 3;
 
 fn damped<D: Drag>(inputs: &Inputs<'_>, drag: D, stretch: &mut Stretch<'_>) -> Watch {
-    match (inputs.settled, inputs.size, inputs.fracc) {
-        (true, ..) => chosen::<D, DONE, true>(inputs, drag, stretch),
-        (_, true, _) => chosen::<D, SUMMED_WITH_SIZE, true>(inputs, drag, stretch),
-        (_, _, true) => chosen::<D, SUMMED, true>(inputs, drag, stretch),
-        (_, _, false) => chosen::<D, PLAIN, true>(inputs, drag, stretch),
+    if inputs.settled {
+        chosen::<D, DONE, true>(inputs, drag, stretch)
+    } else if inputs.size {
+        chosen::<D, SUMMED_WITH_SIZE, true>(inputs, drag, stretch)
+    } else if inputs.fracc || inputs.keep {
+        chosen::<D, SUMMED, true>(inputs, drag, stretch)
+    } else {
+        chosen::<D, USED, true>(inputs, drag, stretch)
     }
 }
 
@@ -208,13 +211,15 @@ impl<'a, Q: Quad, D: Drag> Loop<'a, Q, D> {
             let state = row.cast::<f64>();
             let sum = force.cast::<f64>();
             let mut seen = Seen::nobody();
-            let mut total = if SUM == DONE {
-                Q::read(sum)
-            } else {
-                let (total, change) = self.summed::<SUM>(p, state, sum);
-                total.write(sum);
-                seen.change = change;
-                total
+            let mut total = match SUM {
+                DONE => Q::read(sum),
+                USED => self.gathered::<false>(p, state).force,
+                _ => {
+                    let (total, change) = self.summed::<SUM>(p, state, sum);
+                    total.write(sum);
+                    seen.change = change;
+                    total
+                }
             };
             seen.before = Q::read(state);
             seen.gain = Q::read(self.mobility.add(4 * p));
@@ -247,24 +252,30 @@ impl<'a, Q: Quad, D: Drag> Loop<'a, Q, D> {
     unsafe fn summed<const SUM: u8>(&self, p: usize, state: *const f64, sum: *const f64) -> (Q, Q) {
         // SAFETY: the caller's: there is such a particle, with a row and a sum.
         unsafe {
-            let sums = if SUM == SUMMED_WITH_SIZE {
-                self.gather.of::<Q, true>(p)
-            } else {
-                self.gather.of::<Q, false>(p)
-            };
-            let mut force = sums.force;
-            if self.rolls {
-                let mut sums = force.numbers();
-                sums[2] -= sums[3] / *state.add(3);
-                force = Q::of(&sums);
-            }
             let was = Q::read(sum);
-            let total = force.with_last(if SUM == SUMMED_WITH_SIZE {
-                (sums.size + sums.size.swapped()).spread()[0]
+            let total = if SUM == SUMMED_WITH_SIZE {
+                let sums = self.gathered::<true>(p, state);
+                let size = (sums.size + sums.size.swapped()).spread()[0];
+                sums.force.with_last(size)
             } else {
-                was
-            });
+                self.gathered::<false>(p, state).force.with_last(was)
+            };
             (total, (total - was).with_last(total))
+        }
+    }
+
+    /// The sums over the contacts of particle `p`, rolling moments with the others.
+    #[inline(always)]
+    unsafe fn gathered<const SIZE: bool>(&self, p: usize, state: *const f64) -> Total<Q> {
+        // SAFETY: the caller's: there is such a particle, with a row.
+        unsafe {
+            let mut total = self.gather.of::<Q, SIZE>(p);
+            if self.rolls {
+                let mut sums = total.force.numbers();
+                sums[2] -= sums[3] / *state.add(3);
+                total.force = Q::of(&sums);
+            }
+            total
         }
     }
 }

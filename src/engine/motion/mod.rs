@@ -63,6 +63,8 @@ pub(super) struct Inputs<'a> {
     /// Whether FRACC is evaluated, and whether the scale of the forces that it is judged by is made anew.
     pub(super) fracc: bool,
     pub(super) size: bool,
+    /// Whether FRACC will want the sums of this boundary at the next.
+    pub(super) keep: bool,
     /// Particles below it in both directions do not move by their radius in a step [m/s].
     pub(super) limit: f64,
     /// Strain rate that carries all particles [1/s], and the point at rest in it [m].
