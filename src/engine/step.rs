@@ -290,7 +290,7 @@ impl World {
     }
 
     fn locate_walls(&mut self) -> Result<(), Fault> {
-        let share = self.joint_reach();
+        let share = self.joint(self.contacts.smallest);
         let first = self.contacts.pairs.len();
         for w in 0..self.contacts.walls.len() {
             let pair = &mut self.contacts.walls[w];

@@ -445,7 +445,12 @@ impl World {
 
     /// Ends nearer than this count as one point [m].
     pub(super) fn joint_reach(&self) -> f64 {
-        1e-6 * self.particles.smallest_radius().min(self.size)
+        self.joint(self.particles.smallest_radius())
+    }
+
+    /// The same where the smallest radius is known [m].
+    pub(super) fn joint(&self, smallest: f64) -> f64 {
+        1e-6 * smallest.min(self.size)
     }
 
     /// Thickness of the assembly [m]: 1 for discs, the mean diameter for spheres.
