@@ -7,7 +7,7 @@ use super::World;
 use super::boundary::{Boundary, straining};
 use super::contact::pass::View;
 use super::fault::Fault;
-use super::motion::{self, Dragged, Inputs, Watch};
+use super::motion::{self, Dragged, Inputs, Sums, Watch};
 use super::neighbours::{Slot, Status};
 use super::particles::{Row, Sum};
 use super::phase::{Phase, passed};
@@ -96,8 +96,17 @@ impl World {
     ) -> Watch {
         let part = self.kick_part();
         let flow = self.flow();
-        let due = self.fracc_due_at(self.cycle);
-        let keep = self.fracc_due_at(self.cycle + 1);
+        // Before the first step nothing has changed yet.
+        let fracc = !self.first_kick && self.fracc_due_at(self.cycle);
+        let sums = if self.settled {
+            Sums::Done
+        } else if self.cycle.is_multiple_of(SIZE_EVERY) {
+            Sums::Sized
+        } else if fracc || self.fracc_due_at(self.cycle + 1) {
+            Sums::Kept
+        } else {
+            Sums::Used
+        };
         let Self {
             particles,
             contacts,
@@ -111,11 +120,8 @@ impl World {
             body: &particles.body,
             dt: self.dt,
             part,
-            settled: self.settled,
-            // Before the first step nothing has changed yet.
-            fracc: !self.first_kick && due,
-            keep,
-            size: self.cycle.is_multiple_of(SIZE_EVERY),
+            sums,
+            fracc,
             limit: 0.7 * contacts.smallest / self.dt,
             flow,
             drag: Dragged::new(&model.damping, part * self.dt),

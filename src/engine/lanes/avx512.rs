@@ -170,7 +170,8 @@ impl Lanes for Eight {
             let reach = even(columns_37[0], columns_37[1]);
             let rim = odd(columns_37[0], columns_37[1]);
             Meeting {
-                d: [-Self(x1), -Self(x2)],
+                // Not negated, which would make negative noughts.
+                d: [Self::all(0.0) - Self(x1), Self::all(0.0) - Self(x2)],
                 v: [Self(v1), Self(v2)],
                 spin: Self(spin),
                 rim: Self(rim),

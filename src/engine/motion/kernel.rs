@@ -9,7 +9,7 @@
 
 use super::drag::{Drag, Free};
 use super::gather::{Gather, Total};
-use super::{Inputs, Stretch, Watch};
+use super::{Inputs, Stretch, Sums, Watch};
 #[cfg(target_arch = "x86_64")]
 use crate::engine::lanes::Four;
 use crate::engine::lanes::{Isa, Plain, Quad};
@@ -28,29 +28,24 @@ pub(super) fn advance(inputs: &Inputs<'_>, stretch: &mut Stretch<'_>) -> Watch {
 
 /// Sums the contact forces only.
 pub(super) fn sum(inputs: &Inputs<'_>, stretch: &mut Stretch<'_>) -> Watch {
-    if inputs.size {
-        chosen::<Free, SUMMED_WITH_SIZE, false>(inputs, Free, stretch)
-    } else {
-        chosen::<Free, SUMMED, false>(inputs, Free, stretch)
+    match inputs.sums {
+        Sums::Sized => chosen::<Free, SIZED, false>(inputs, Free, stretch),
+        _ => chosen::<Free, KEPT, false>(inputs, Free, stretch),
     }
 }
 
-/// What is done about the forces: nothing, as they are summed; or they are summed and used; and kept,
-/// too; and with the scale that FRACC judges their change by.
+/// [`Sums`] as constants.
 const DONE: u8 = 0;
 const USED: u8 = 1;
-const SUMMED: u8 = 2;
-const SUMMED_WITH_SIZE: u8 = 3;
+const KEPT: u8 = 2;
+const SIZED: u8 = 3;
 
 fn damped<D: Drag>(inputs: &Inputs<'_>, drag: D, stretch: &mut Stretch<'_>) -> Watch {
-    if inputs.settled {
-        chosen::<D, DONE, true>(inputs, drag, stretch)
-    } else if inputs.size {
-        chosen::<D, SUMMED_WITH_SIZE, true>(inputs, drag, stretch)
-    } else if inputs.fracc || inputs.keep {
-        chosen::<D, SUMMED, true>(inputs, drag, stretch)
-    } else {
-        chosen::<D, USED, true>(inputs, drag, stretch)
+    match inputs.sums {
+        Sums::Done => chosen::<D, DONE, true>(inputs, drag, stretch),
+        Sums::Used => chosen::<D, USED, true>(inputs, drag, stretch),
+        Sums::Kept => chosen::<D, KEPT, true>(inputs, drag, stretch),
+        Sums::Sized => chosen::<D, SIZED, true>(inputs, drag, stretch),
     }
 }
 
@@ -153,7 +148,7 @@ fn run<Q: Quad, D: Drag, const SUM: u8, const MOVE: bool>(
                 all.one::<SUM, MOVE>(p + 2, row.add(2), sum.add(2)),
                 all.one::<SUM, MOVE>(p + 3, row.add(3), sum.add(3)),
             ];
-            if SUM >= SUMMED && inputs.fracc {
+            if SUM >= KEPT && inputs.fracc {
                 all.watched.fracc(inputs.dt, p, &seen);
             }
             k += 4;
@@ -164,7 +159,7 @@ fn run<Q: Quad, D: Drag, const SUM: u8, const MOVE: bool>(
             *seen = all.one::<SUM, MOVE>(first + k, rows.add(k), force.add(k));
             k += 1;
         }
-        if SUM >= SUMMED && inputs.fracc {
+        if SUM >= KEPT && inputs.fracc {
             all.watched.fracc(inputs.dt, p, &seen);
         }
     }
@@ -253,7 +248,7 @@ impl<'a, Q: Quad, D: Drag> Loop<'a, Q, D> {
         // SAFETY: the caller's: there is such a particle, with a row and a sum.
         unsafe {
             let was = Q::read(sum);
-            let total = if SUM == SUMMED_WITH_SIZE {
+            let total = if SUM == SIZED {
                 let sums = self.gathered::<true>(p, state);
                 let size = (sums.size + sums.size.swapped()).spread()[0];
                 sums.force.with_last(size)

@@ -58,13 +58,9 @@ pub(super) struct Inputs<'a> {
     pub(super) dt: f64,
     /// 1, or ½ in the first kick: given velocities are those of the start.
     pub(super) part: f64,
-    /// Whether forces were already summed.
-    pub(super) settled: bool,
-    /// Whether FRACC is evaluated, and whether the scale of the forces that it is judged by is made anew.
+    pub(super) sums: Sums,
+    /// Whether FRACC is evaluated.
     pub(super) fracc: bool,
-    pub(super) size: bool,
-    /// Whether FRACC will want the sums of this boundary at the next.
-    pub(super) keep: bool,
     /// Particles below it in both directions do not move by their radius in a step [m/s].
     pub(super) limit: f64,
     /// Strain rate that carries all particles [1/s], and the point at rest in it [m].
@@ -72,6 +68,19 @@ pub(super) struct Inputs<'a> {
     pub(super) drag: Option<Dragged>,
     /// Vector instructions.
     pub(super) isa: Isa,
+}
+
+/// What is done about the sums of forces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Sums {
+    /// Nothing: they are those of this boundary already.
+    Done,
+    /// They are used and forgotten.
+    Used,
+    /// They are kept, for FRACC now or at the next boundary, or for whoever looks.
+    Kept,
+    /// They are kept with the scale that FRACC judges their change by.
+    Sized,
 }
 
 /// Particles of one thread.
