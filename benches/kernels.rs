@@ -34,7 +34,9 @@ fn session(law: &str, repeat: &str, more: &[&str]) -> Session {
     ];
     set.extend(more.iter().map(|set| (*set).to_owned()));
     let scene = Scene::load("periodic-shear", &set).expect("the preset is accepted");
+    // One thread, so that sizes compare.
     let options = Options {
+        threads: 1,
         expendable: true,
         ..Options::default()
     };

@@ -173,7 +173,7 @@ impl Session {
             dumped,
             mut world,
         } = saved;
-        let scene = Scene::parse(
+        let mut scene = Scene::parse(
             &journal.preset_name,
             &journal.preset_text,
             &journal.overrides,
@@ -185,6 +185,8 @@ impl Session {
                 journal.program
             ))
         })?;
+        // The world has them.
+        drop(scene.take_setup());
         if !world.unpack(threads) {
             return Err(RunError::Misfit(format!(
                 "{name}: its contact memory does not fit; it was written by version {}",
