@@ -16,24 +16,19 @@ pub struct Bytes {
 }
 
 impl World {
-    /// Bytes per particle and per listed contact, the buffers of the search included.
+    /// Bytes per particle and per listed contact, the buffers of the search included; images beyond the
+    /// edges of a cell are few.
     pub fn bytes(&self) -> Bytes {
         let cell = self.cell().is_some();
         let [contact, particle] = ContactList::bytes(cell);
         let law: usize = self.pass().bytes().iter().sum();
-        // What is seen of each particle and pair where something flows.
-        let seen = if cell || self.flow().is_some() {
-            size_of::<Row>()
-        } else {
-            0
-        };
         let ledger = if self.ledger.is_some() {
             super::ledger::BYTES_PER_PARTICLE
         } else {
             0
         };
         Bytes {
-            particle: particle + self.particles.bytes() + seen + ledger,
+            particle: particle + self.particles.bytes() + ledger,
             contact: contact + law,
             law,
         }

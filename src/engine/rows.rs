@@ -35,6 +35,11 @@ impl Rows {
     /// Has so many images from now on; what they are is to be written.
     pub(super) fn show(&mut self, images: usize) {
         let particles = self.len();
+        if self.all.capacity() < particles + images {
+            // Room for twice the images, not for twice the particles.
+            let room = particles + 2 * images - self.all.len();
+            self.all.reserve_exact(room);
+        }
         self.all.resize(particles + images, Row::default());
         self.images = images;
     }

@@ -2,8 +2,7 @@
 //! a bound that no order of work and no instructions can undercut once a scene is larger than the caches.
 
 use super::World;
-use super::boundary::cell::Image;
-use super::neighbours::list::ContactList;
+use super::neighbours::whose::Places;
 use super::neighbours::{Slot, Status};
 use super::particles::{Mobility, Row, Sum};
 
@@ -15,11 +14,11 @@ pub struct Traffic {
     pub rows: usize,
     /// How particles answer to force, and constant forces.
     pub answers: usize,
-    /// Sums of forces, read and written.
+    /// Sums of forces, read and written where FRACC wants them in every cycle.
     pub sums: usize,
     /// Whose the contacts are.
     pub places: usize,
-    /// Listed pairs, and which image is meant.
+    /// Listed pairs.
     pub pairs: usize,
     /// Parameters of the law for each contact.
     pub parameters: usize,
@@ -48,19 +47,19 @@ impl World {
     pub fn traffic(&self) -> Traffic {
         let (particles, contacts) = (self.particles.len(), self.contacts.len());
         let [parameters, memory, book] = self.pass().bytes();
-        let [of_particle, of_contact] = ContactList::steps();
-        let image = if self.contacts.images.is_empty() {
-            0
+        // Sums that FRACC does not want are used and forgotten.
+        let kept = if (1..=2).contains(&self.model.fracc_every) {
+            BOTH
         } else {
-            size_of::<Image>()
+            0
         };
         Traffic {
             rows: (1 + BOTH) * particles * size_of::<Row>(),
             answers: particles * size_of::<Mobility>()
                 + self.particles.body.len() * size_of::<[f64; 2]>(),
-            sums: BOTH * particles * size_of::<Sum>(),
-            places: particles * of_particle + contacts * of_contact,
-            pairs: contacts * (size_of::<[u32; 2]>() + image),
+            sums: kept * particles * size_of::<Sum>(),
+            places: particles * size_of::<Places>(),
+            pairs: contacts * size_of::<[u32; 2]>(),
             parameters: contacts * parameters,
             memory: BOTH * contacts * (memory + book),
             slots: BOTH * contacts * size_of::<Slot>(),

@@ -329,12 +329,6 @@ impl ContactList {
             .collect()
     }
 
-    /// Bytes that a step reads per particle and per contact to find out whose the contacts are.
-    pub(in crate::engine) fn steps() -> [usize; 2] {
-        // Where the pairs of a particle begin, of either kind; and those in which it is the second.
-        [size_of::<[u32; 2]>(), size_of::<u32>()]
-    }
-
     /// Bytes of the list per contact and per particle, buffers included, in a periodic cell or not.
     pub(in crate::engine) fn bytes(cell: bool) -> [usize; 2] {
         let [pair, image] = [size_of::<[u32; 2]>(), size_of::<Image>()];
