@@ -24,7 +24,8 @@ impl World {
     /// `threads` 0: as many as suit its size.
     pub fn unpack(&mut self, threads: usize) -> bool {
         let (particles, walls) = (self.particles.len(), self.walls.len());
-        if !self.contacts.unpack(particles, walls) {
+        let known = self.particles.fit(self.model.materials.len());
+        if !known || !self.contacts.unpack(particles, walls) {
             return false;
         }
         self.threads = Threads::team(threads, particles);

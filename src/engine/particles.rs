@@ -85,7 +85,7 @@ pub struct Sum {
     pub f: [f64; 2],
     /// Moment over radius [N].
     pub tau: f64,
-    /// Sum of |f1| + |f2| over the contacts [N]: the scale FRACC is judged by.
+    /// Sum of |f1| + |f2| over the contacts [N]: the scale FRACC is judged by, made anew now and then.
     pub scale: f64,
 }
 
@@ -98,7 +98,7 @@ pub struct Particles {
     pub row: Rows,
     /// Answer to force in the present time step.
     pub mobility: Vec<Mobility>,
-    /// Contact force at the last boundary where it was summed.
+    /// Contact force at the last boundary where it was kept: at this one after [`super::World::settle`].
     pub force: Vec<Sum>,
     /// Constant force [N]: weight and applied force; empty when nothing has any.
     pub body: Vec<[f64; 2]>,
@@ -123,6 +123,26 @@ impl Particles {
     /// Whether there is none.
     pub fn is_empty(&self) -> bool {
         self.id.is_empty()
+    }
+
+    /// Whether there is something of each particle in every column, numbers ascend, and there are so many
+    /// materials.
+    pub(super) fn fit(&self, materials: usize) -> bool {
+        let count = self.id.len();
+        let columns = [
+            self.row.len(),
+            self.mobility.len(),
+            self.force.len(),
+            self.mass.len(),
+            self.inertia.len(),
+            self.material.len(),
+            self.applied.len(),
+            self.fixed.len(),
+        ];
+        columns.iter().all(|&length| length == count)
+            && (self.body.is_empty() || self.body.len() == count)
+            && self.id.is_sorted_by(|a, b| a < b)
+            && self.material.iter().all(|&m| usize::from(m) < materials)
     }
 
     /// Index of a particle number.

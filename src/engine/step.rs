@@ -347,7 +347,8 @@ impl World {
         let (p, cycle) = (&self.particles, self.cycle);
         for (k, row) in p.row.iter().enumerate() {
             let step = (row.v[0] * row.v[0] + row.v[1] * row.v[1]).sqrt() * self.dt;
-            if step < row.radius {
+            let broken = step.is_nan() || row.spin.is_nan();
+            if step < row.radius && !broken {
                 continue;
             }
             for (contact, _) in self.contacts.of(k) {
@@ -365,7 +366,7 @@ impl World {
                 }
             }
             let particle = p.id[k];
-            return Some(if step.is_nan() {
+            return Some(if broken {
                 Fault::NotANumber { cycle, particle }
             } else {
                 Fault::Runaway {

@@ -42,12 +42,14 @@ impl<'a> Gather<'a> {
     /// From the list of contacts of so many particles.
     ///
     /// # Panics
-    /// If it is one of another number of particles.
+    /// If its contacts were not noted, or are those of another number of particles.
     pub(super) fn new(contacts: &'a ContactList, particles: usize) -> Self {
         let whose = contacts.whose();
         assert!(
-            whose.places().len() == particles && contacts.slots.len() > contacts.len(),
-            "a list of other particles"
+            whose.places().len() == particles
+                && whose.is_of(contacts.len())
+                && contacts.slots.len() > contacts.len(),
+            "places of other particles or contacts"
         );
         Self {
             slots: contacts.slots.as_ptr().cast(),

@@ -133,6 +133,11 @@ impl Whose {
         })
     }
 
+    /// Whether so many contacts were noted.
+    pub(in crate::engine) fn is_of(&self, contacts: usize) -> bool {
+        self.nobody as usize == contacts * NUMBERS as usize
+    }
+
     /// Whether anybody is near a wall.
     pub(in crate::engine) fn meet_walls(&self) -> bool {
         !self.walls.is_empty()
