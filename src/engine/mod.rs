@@ -15,6 +15,7 @@ mod growth;
 pub mod hash;
 pub mod lanes;
 pub mod ledger;
+mod lost;
 pub mod motion;
 pub mod neighbours;
 mod origin;
