@@ -1,14 +1,13 @@
 //! Randall's tangential law as a part of a contact: partial slip with two reversals remembered.
 
 use super::card::{Card, FRICTION, POISSON, Slip, YOUNG};
-use super::each::{Alone, Each, Slipped};
 use super::inner::Inner;
-use super::memory::{Memory, kept_whole};
-use super::numbers::{Numbers, Reading, Writing, Written};
-use super::parts::Tangential;
-use super::quantities::Basis;
+use super::memory::{Memory, kept_as_columns};
+use super::numbers::{Numbers, Reading, Writing, Written, numbers};
+use super::parts::{Tangential, TangentialForce};
+use super::quantities::{Basis, Load, Shear, Touch};
 use super::traction::Traction;
-use super::two_reversals::{Reversals, TwoReversals, WORST_GAIN};
+use super::two_reversals::{ReversalLanes, Reversals, TwoReversals, WORST_GAIN};
 use crate::engine::lanes::Lanes;
 
 /// Row in the list.
@@ -25,37 +24,17 @@ pub const CARD: Card = Card {
 
 /// Hertzian contact with partial slip as the program BALL of 1989 had it.
 #[derive(Debug, Clone, Copy)]
-pub struct ReversalShear {
-    law: TwoReversals,
+pub struct ReversalShear<V = f64> {
+    law: TwoReversals<V>,
     /// 8 G* √R* [N/m^1.5].
-    mindlin: f64,
-    friction: f64,
+    mindlin: V,
+    friction: V,
 }
 
-impl Numbers<f64> for ReversalShear {
-    const COUNT: usize = TwoReversals::COUNT + 2;
-
-    #[inline(always)]
-    fn take(from: &mut Reading) -> Self {
-        let law = TwoReversals::take(from);
-        let [mindlin, friction] = <[f64; 2]>::take(from);
-        Self {
-            law,
-            mindlin,
-            friction,
-        }
-    }
-}
-
-impl Written<f64> for ReversalShear {
-    fn give(self, mask: bool, to: &mut Writing) {
-        self.law.give(mask, to);
-        [self.mindlin, self.friction].give(mask, to);
-    }
-}
+numbers!(ReversalShear { law: TwoReversals<V>, mindlin: V, friction: V });
 
 impl Memory for Reversals {
-    kept_whole!();
+    kept_as_columns!(ReversalLanes);
 
     fn reduced(&self) -> [f64; 2] {
         [0.0, self.force()]
@@ -66,21 +45,33 @@ impl Memory for Reversals {
     }
 }
 
-impl Alone for ReversalShear {
+impl<V: Lanes> TangentialForce<V> for ReversalShear<V> {
+    type Memory = ReversalLanes<V>;
+    const ACTIVE: bool = true;
+
     #[inline(always)]
-    fn advance(&self, overlap: f64, displacement: f64, memory: &mut Reversals) -> Slipped {
-        self.law.advance(overlap, displacement, memory)
+    fn force(&self, touch: &Touch<V>, load: &Load<V>, memory: &mut ReversalLanes<V>) -> Shear<V> {
+        let d = touch.slide * touch.dt;
+        let slip = (self.law).advance_together(touch.touching, touch.overlap, d, memory);
+        Shear {
+            force: slip.force,
+            loss: [slip.gross, slip.micro],
+            sliding: slip.sliding,
+            limit: load.limit(self.friction, V::all(0.0)),
+        }
     }
 
     #[inline(always)]
-    fn friction(&self) -> f64 {
-        self.friction
+    fn steepest(&self, overlap: V) -> V {
+        let zero = V::all(0.0);
+        let stiffness = self.mindlin * overlap.positive().sqrt();
+        V::pick(self.friction.above(zero), stiffness, zero)
     }
 }
 
 impl Tangential for ReversalShear {
     type Memo = Reversals;
-    type On<V: Lanes> = Each<Self>;
+    type On<V: Lanes> = ReversalShear<V>;
 
     fn prepare(basis: &Basis<'_>) -> Self {
         let pair = basis.pair;
@@ -97,11 +88,7 @@ impl Tangential for ReversalShear {
     }
 
     fn stiffness(&self, overlap: f64) -> f64 {
-        if self.friction > 0.0 {
-            self.mindlin * overlap.max(0.0).sqrt()
-        } else {
-            0.0
-        }
+        self.steepest(overlap)
     }
 
     fn energy(&self, _: f64, memory: &Reversals) -> f64 {

@@ -12,6 +12,7 @@
 mod avx2;
 #[cfg(target_arch = "x86_64")]
 mod avx512;
+mod cube_root;
 mod isa;
 mod one;
 mod quad;
@@ -22,6 +23,7 @@ use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 pub use avx2::Four;
 #[cfg(target_arch = "x86_64")]
 pub use avx512::Eight;
+pub use cube_root::cube_root;
 pub use isa::Isa;
 pub use quad::{Plain, Quad};
 

@@ -1,6 +1,7 @@
 //! The curves at constant normal force, followed exactly.
 
 use super::{Branch, Reversals, Size};
+use crate::engine::lanes::Lanes;
 
 /// What happened along the way.
 #[derive(Debug, Clone, Copy, Default)]
@@ -25,9 +26,11 @@ struct Curve {
 ///
 /// Per displacement an annulus loses its traction times the slip; with c = αθ² and N_c = Nθ³ for
 /// the stuck core that sums to μ(N - N_c - N_c' (α - c)) = μN (1 - 3/2 θ + 1/2 θ³).
-fn lost(theta: f64) -> f64 {
+#[inline(always)]
+pub(super) fn lost<V: Lanes>(theta: V) -> V {
+    let (one, fifth) = (V::all(1.0), V::all(0.2));
     let square = theta * theta;
-    0.2 - square + square * theta * (1.0 - 0.2 * square)
+    fifth - square + square * theta * (one - fifth * square)
 }
 
 impl Reversals {

@@ -38,13 +38,18 @@
 
 mod curves;
 mod energy;
+mod lanes;
+#[cfg(test)]
+mod lanes_tests;
 mod view;
 
 use serde::{Deserialize, Serialize};
 
 use super::each::Slipped;
-use super::numbers::{Numbers, Reading, Writing, Written};
+use super::numbers::{Numbers, Reading, Writing, Written, numbers};
+use crate::engine::lanes::Lanes;
 use curves::Run;
+pub use lanes::{ReversalLanes, SlippedLanes};
 
 /// The most energy that a closed cycle of overlap and displacement was found to give per turn, as a
 /// share of what a full slide there and back takes at its largest overlap (0.8 μN δ\*): a random
@@ -182,47 +187,43 @@ impl Reversals {
 
 /// A contact as its present overlap shapes it.
 #[derive(Debug, Clone, Copy)]
-struct Size {
+struct Size<V = f64> {
     /// sqrt(α).
-    root: f64,
+    root: V,
     /// μN [N].
-    limit: f64,
+    limit: V,
     /// Displacement at which virgin loading slides, 3μN/(16 G\* a) [m] (3.28).
-    slide: f64,
+    slide: V,
 }
 
 /// The law, prepared for a pair.
 #[derive(Debug, Clone, Copy)]
-pub struct TwoReversals {
+pub struct TwoReversals<V = f64> {
     /// μN/α^1.5.
-    limit: f64,
+    limit: V,
     /// 8 G\* sqrt(R\*).
-    shear: f64,
+    shear: V,
     /// E\*/(4 G\*): sliding displacement over μα.
-    kappa: f64,
-    friction: f64,
+    kappa: V,
+    friction: V,
 }
 
-impl Numbers<f64> for TwoReversals {
-    const COUNT: usize = 4;
+numbers!(TwoReversals {
+    limit: V,
+    shear: V,
+    kappa: V,
+    friction: V
+});
 
+impl<V: Lanes> TwoReversals<V> {
     #[inline(always)]
-    fn take(from: &mut Reading) -> Self {
-        let [limit, shear] = <[f64; 2]>::take(from);
-        let [kappa, friction] = <[f64; 2]>::take(from);
-        Self {
-            limit,
-            shear,
-            kappa,
-            friction,
+    fn size(&self, overlap: V) -> Size<V> {
+        let root = overlap.sqrt();
+        Size {
+            root,
+            limit: self.limit * overlap * root,
+            slide: self.friction * self.kappa * overlap,
         }
-    }
-}
-
-impl Written<f64> for TwoReversals {
-    fn give(self, mask: bool, to: &mut Writing) {
-        [self.limit, self.shear].give(mask, to);
-        [self.kappa, self.friction].give(mask, to);
     }
 }
 
@@ -234,15 +235,6 @@ impl TwoReversals {
             shear: 8.0 * shear_eff * r_eff.sqrt(),
             kappa: young_eff / (4.0 * shear_eff),
             friction,
-        }
-    }
-
-    fn size(&self, overlap: f64) -> Size {
-        let root = overlap.sqrt();
-        Size {
-            root,
-            limit: self.limit * overlap * root,
-            slide: self.friction * self.kappa * overlap,
         }
     }
 

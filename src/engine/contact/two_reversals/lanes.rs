@@ -1,0 +1,434 @@
+//! The step of several contacts at once.
+//!
+//! Sticking, following a curve, reversals and sliding are worked out in lanes. A way round the end of
+//! one curve onto the next, and cube roots that are in doubt, are left to [`TwoReversals::advance`].
+//! The formulas are those of this folder, in the same order: so are the bits.
+
+use super::super::numbers::{Numbers, Reading, Writing, Written, numbers};
+use super::curves::lost;
+use super::{Branch, Reversals, Size, TwoReversals};
+use crate::engine::lanes::{Lanes, cube_root};
+
+const UNLOADING: f64 = Branch::Unloading as u8 as f64;
+const RELOADING: f64 = Branch::Reloading as u8 as f64;
+
+/// Memories in lanes, as [`Reversals`] has them.
+#[derive(Debug, Clone, Copy)]
+pub struct ReversalLanes<V> {
+    pub(super) overlap: V,
+    pub(super) force: V,
+    pub(super) unloaded_from: V,
+    pub(super) reloaded_from: V,
+    pub(super) shortfall: V,
+    pub(super) branch: V,
+}
+
+numbers!(ReversalLanes {
+    overlap: V,
+    force: V,
+    unloaded_from: V,
+    reloaded_from: V,
+    shortfall: V,
+    branch: V,
+});
+
+impl From<ReversalLanes<f64>> for Reversals {
+    fn from(lane: ReversalLanes<f64>) -> Self {
+        let branch = if lane.branch == RELOADING {
+            Branch::Reloading
+        } else if lane.branch == UNLOADING {
+            Branch::Unloading
+        } else {
+            Branch::Virgin
+        };
+        Self {
+            overlap: lane.overlap,
+            force: lane.force,
+            unloaded_from: lane.unloaded_from,
+            reloaded_from: lane.reloaded_from,
+            shortfall: lane.shortfall,
+            branch,
+        }
+    }
+}
+
+impl From<Reversals> for ReversalLanes<f64> {
+    fn from(memory: Reversals) -> Self {
+        Self {
+            overlap: memory.overlap,
+            force: memory.force,
+            unloaded_from: memory.unloaded_from,
+            reloaded_from: memory.reloaded_from,
+            shortfall: memory.shortfall,
+            branch: f64::from(memory.branch as u8),
+        }
+    }
+}
+
+impl Numbers<f64> for Reversals {
+    const COUNT: usize = <ReversalLanes<f64> as Numbers<f64>>::COUNT;
+
+    #[inline(always)]
+    fn take(from: &mut Reading) -> Self {
+        <ReversalLanes<f64> as Numbers<f64>>::take(from).into()
+    }
+}
+
+impl Written<f64> for Reversals {
+    fn give(self, mask: bool, to: &mut Writing) {
+        Written::<f64>::give(ReversalLanes::from(self), mask, to);
+    }
+}
+
+/// What a step answers: forces [N], losses [J], and whether the whole contact slid.
+#[derive(Clone, Copy)]
+pub struct SlippedLanes<V: Lanes> {
+    /// Tangential force at the end of the step [N].
+    pub force: V,
+    /// Energy lost by slip of the whole contact [J].
+    pub gross: V,
+    /// Energy lost by slip within the contact [J].
+    pub micro: V,
+    /// Whether the whole contact slid.
+    pub sliding: V::Mask,
+}
+
+/// What the way along a curve comes to.
+struct Way<V: Lanes> {
+    force: V,
+    slid: V,
+    losses: V,
+    /// Lanes that have to go alone.
+    alone: V::Mask,
+}
+
+/// Numbers of a block some of whose lanes go alone.
+struct Aside {
+    law: [[f64; 8]; 4],
+    step: [[f64; 8]; 2],
+    memory: [[f64; 8]; 6],
+    slip: [[f64; 8]; 3],
+    sliding: u32,
+}
+
+impl Aside {
+    /// Advances the lanes whose bits are set.
+    #[cold]
+    #[inline(never)]
+    fn advance(&mut self, bits: u32) {
+        for lane in (0..8).filter(|lane| bits >> lane & 1 == 1) {
+            let [limit, shear, kappa, friction] = self.law.map(|numbers| numbers[lane]);
+            let law = TwoReversals {
+                limit,
+                shear,
+                kappa,
+                friction,
+            };
+            let [
+                overlap,
+                force,
+                unloaded_from,
+                reloaded_from,
+                shortfall,
+                branch,
+            ] = self.memory.map(|numbers| numbers[lane]);
+            let mut memory = Reversals::from(ReversalLanes {
+                overlap,
+                force,
+                unloaded_from,
+                reloaded_from,
+                shortfall,
+                branch,
+            });
+            let [overlap, d] = self.step.map(|numbers| numbers[lane]);
+            let slip = law.advance(overlap, d, &mut memory);
+            let new = ReversalLanes::from(memory);
+            self.memory[0][lane] = new.overlap;
+            self.memory[1][lane] = new.force;
+            self.memory[2][lane] = new.unloaded_from;
+            self.memory[3][lane] = new.reloaded_from;
+            self.memory[4][lane] = new.shortfall;
+            self.memory[5][lane] = new.branch;
+            self.slip[0][lane] = slip.force;
+            self.slip[1][lane] = slip.gross;
+            self.slip[2][lane] = slip.micro;
+            self.sliding = self.sliding & !(1 << lane) | u32::from(slip.sliding) << lane;
+        }
+    }
+}
+
+/// Not below 0 and not above 1.
+#[inline(always)]
+fn share<V: Lanes>(x: V) -> V {
+    let (zero, one) = (V::all(0.0), V::all(1.0));
+    let x = V::pick(zero.above(x), zero, x);
+    V::pick(x.above(one), one, x)
+}
+
+impl<V: Lanes> ReversalLanes<V> {
+    #[inline(always)]
+    fn pick(mask: V::Mask, yes: &Self, no: &Self) -> Self {
+        Self {
+            overlap: V::pick(mask, yes.overlap, no.overlap),
+            force: V::pick(mask, yes.force, no.force),
+            unloaded_from: V::pick(mask, yes.unloaded_from, no.unloaded_from),
+            reloaded_from: V::pick(mask, yes.reloaded_from, no.reloaded_from),
+            shortfall: V::pick(mask, yes.shortfall, no.shortfall),
+            branch: V::pick(mask, yes.branch, no.branch),
+        }
+    }
+
+    /// The memory of a lane.
+    #[cfg(test)]
+    pub(super) fn lane(&self, lane: usize) -> Reversals {
+        let number = |column: V| column.numbers()[lane];
+        Reversals::from(ReversalLanes {
+            overlap: number(self.overlap),
+            force: number(self.force),
+            unloaded_from: number(self.unloaded_from),
+            reloaded_from: number(self.reloaded_from),
+            shortfall: number(self.shortfall),
+            branch: number(self.branch),
+        })
+    }
+
+    #[inline(always)]
+    fn is_virgin(&self) -> V::Mask {
+        self.branch.equals(V::all(0.0))
+    }
+
+    #[inline(always)]
+    fn is_unloading(&self) -> V::Mask {
+        self.branch.equals(V::all(UNLOADING))
+    }
+
+    #[inline(always)]
+    fn is_reloading(&self) -> V::Mask {
+        self.branch.equals(V::all(RELOADING))
+    }
+
+    #[inline(always)]
+    fn direction(&self, d: V) -> V {
+        let virgin = V::pick(self.force.equals(V::all(0.0)), d, self.force);
+        let decides = V::pick(self.is_virgin(), virgin, self.unloaded_from);
+        V::all(1.0).copysign(decides)
+    }
+
+    #[inline(always)]
+    fn sense(&self) -> V {
+        V::pick(self.is_unloading(), V::all(-1.0), V::all(1.0))
+    }
+
+    #[inline(always)]
+    fn forget(&mut self, mask: V::Mask) {
+        let zero = V::all(0.0);
+        self.branch = V::pick(mask, zero, self.branch);
+        self.unloaded_from = V::pick(mask, zero, self.unloaded_from);
+        self.reloaded_from = V::pick(mask, zero, self.reloaded_from);
+        self.shortfall = V::pick(mask, zero, self.shortfall);
+    }
+
+    #[inline(always)]
+    fn turn(&mut self, mask: V::Mask, direction: V) {
+        let (first, second) = (mask & self.is_virgin(), mask & self.is_unloading());
+        let overtaken = second & (direction * self.force).at_least(direction * self.unloaded_from);
+        let second = second & !overtaken;
+        self.unloaded_from = V::pick(first, self.force, self.unloaded_from);
+        self.reloaded_from = V::pick(second, self.force, self.reloaded_from);
+        let branch = V::pick(second, V::all(RELOADING), self.branch);
+        self.branch = V::pick(first, V::all(UNLOADING), branch);
+        self.shortfall = V::pick(first | second, V::all(0.0), self.shortfall);
+        self.forget(overtaken);
+    }
+
+    #[inline(always)]
+    fn shift(&mut self, rise: V) {
+        let (top, bottom) = (self.unloaded_from, self.reloaded_from);
+        self.unloaded_from = V::pick(self.is_virgin(), top, top + rise);
+        self.reloaded_from = V::pick(self.is_reloading(), bottom - rise, bottom);
+    }
+
+    #[inline(always)]
+    fn settle(&mut self, mask: V::Mask, direction: V, progress: V) {
+        let zero = V::all(0.0);
+        let mask = mask & !self.is_virgin();
+        let force = direction * self.force;
+        let top = direction * self.unloaded_from;
+        let bottom = direction * self.reloaded_from;
+        let reloading = self.is_reloading();
+        let reached = zero.at_least(top) | (-top).at_least(force) | reloading & force.at_least(top);
+        let back = reloading & zero.above(progress) & bottom.at_least(force);
+        self.branch = V::pick(mask & !reached & back, V::all(UNLOADING), self.branch);
+        self.forget(mask & reached);
+    }
+
+    #[inline(always)]
+    fn run(&self, size: &Size<V>, rest: V) -> Way<V> {
+        let (zero, one) = (V::all(0.0), V::all(1.0));
+        let direction = self.direction(rest);
+        let (virgin, unloading) = (self.is_virgin(), self.is_unloading());
+        let reloading = self.is_reloading();
+        let backwards = reloading & zero.above(direction * rest);
+        let force = direction * self.force;
+        let top = direction * self.unloaded_from;
+        let bottom = direction * self.reloaded_from;
+        let stretch = V::pick(virgin, one, V::all(2.0));
+        let limit = stretch * size.limit;
+        let way = V::pick(unloading, top - force, force - bottom);
+        let here = share(one - V::pick(virgin, force, way) / limit);
+        let whole = V::pick(reloading, top - bottom, top) / V::pick(reloading, limit, size.limit);
+        let end = V::pick(virgin, zero, share(one - whole));
+        let end = V::pick(backwards, one, end);
+        let (theta, certain) = cube_root(here);
+        let span = stretch * size.slide;
+        let change = rest.abs() / span;
+        let square = theta * theta + V::pick(backwards, change, -change);
+        let new = square.sqrt();
+        let forwards = zero.at_least(square) | end.at_least(square * new);
+        let reached = backwards & square.at_least(end) | !backwards & forwards;
+        let slides = reached & virgin;
+        let way = (here - square * new).abs();
+        let along = self.force + (limit * way).copysign(rest);
+        let used = span * (theta * theta).abs();
+        let used = V::pick(used.above(rest.abs()), rest.abs(), used);
+        let left = rest - used.copysign(rest);
+        Way {
+            force: V::pick(slides, direction * size.limit, along),
+            slid: V::pick(slides, left.abs(), zero),
+            losses: zero + stretch * (lost(V::pick(slides, zero, new)) - lost(theta)),
+            alone: reached & !virgin | !certain,
+        }
+    }
+}
+
+impl<V: Lanes> TwoReversals<V> {
+    /// One step of the touching lanes to this overlap with the tangential displacement d [m].
+    #[inline(always)]
+    pub fn advance_together(
+        &self,
+        touching: V::Mask,
+        overlap: V,
+        d: V,
+        memory: &mut ReversalLanes<V>,
+    ) -> SlippedLanes<V> {
+        let old = *memory;
+        let (slip, alone) = self.step(touching, overlap, d, memory);
+        let alone = alone & touching;
+        if !V::any(alone) {
+            return slip;
+        }
+        let m = ReversalLanes::pick(alone, &old, memory);
+        let mut aside = Aside {
+            law: [
+                self.limit.numbers(),
+                self.shear.numbers(),
+                self.kappa.numbers(),
+                self.friction.numbers(),
+            ],
+            step: [overlap.numbers(), d.numbers()],
+            memory: [
+                m.overlap.numbers(),
+                m.force.numbers(),
+                m.unloaded_from.numbers(),
+                m.reloaded_from.numbers(),
+                m.shortfall.numbers(),
+                m.branch.numbers(),
+            ],
+            slip: [
+                slip.force.numbers(),
+                slip.gross.numbers(),
+                slip.micro.numbers(),
+            ],
+            sliding: V::bits(slip.sliding),
+        };
+        aside.advance(V::bits(alone));
+        *memory = ReversalLanes {
+            overlap: V::of(&aside.memory[0]),
+            force: V::of(&aside.memory[1]),
+            unloaded_from: V::of(&aside.memory[2]),
+            reloaded_from: V::of(&aside.memory[3]),
+            shortfall: V::of(&aside.memory[4]),
+            branch: V::of(&aside.memory[5]),
+        };
+        SlippedLanes {
+            force: V::of(&aside.slip[0]),
+            gross: V::of(&aside.slip[1]),
+            micro: V::of(&aside.slip[2]),
+            sliding: V::mask(aside.sliding),
+        }
+    }
+
+    /// The step, and the lanes that it is none for.
+    #[inline(always)]
+    fn step(
+        &self,
+        touching: V::Mask,
+        overlap: V,
+        d: V,
+        memory: &mut ReversalLanes<V>,
+    ) -> (SlippedLanes<V>, V::Mask) {
+        let zero = V::all(0.0);
+        let mut alone = !(overlap.above(zero) & self.friction.above(zero));
+        let (before, size) = (self.size(memory.overlap), self.size(overlap));
+        memory.overlap = overlap;
+        let blank = memory.force.equals(zero) & memory.is_virgin();
+        memory.shortfall = V::pick(blank, zero, memory.shortfall);
+        let direction = memory.direction(d);
+        let turns = zero.above(direction * memory.sense() * d);
+        memory.turn(turns, direction);
+        let direction = memory.direction(d);
+        let sense = direction * memory.sense();
+        let progress = sense * d;
+
+        let rise = size.limit - before.limit;
+        memory.shift(direction * rise);
+        let (r, s) = (size.root, before.root);
+        let stiffness = self.shear * (r * r + r * s + s * s) / (V::all(1.5) * (r + s));
+        let pace = rise / stiffness;
+        let missing = pace + memory.shortfall;
+        let landed = memory.force + sense * rise;
+        let backwards = zero.above(progress) & memory.shortfall.equals(zero);
+
+        let falls = zero.above(rise);
+        let (top, bottom) = (memory.unloaded_from, memory.reloaded_from);
+        let way = V::pick(memory.is_unloading(), top - landed, landed - bottom);
+        let way = V::pick(memory.is_virgin(), landed, way);
+        let early = falls & zero.above(direction * way);
+        let sticks = !falls & missing.at_least(progress) & !backwards;
+        let waits = memory.shortfall.above(zero);
+        let left = missing - progress;
+        let falling = V::pick(waits, left.positive(), memory.shortfall);
+        let rising = V::pick(sticks, left, zero);
+        memory.shortfall = V::pick(falls, falling, rising);
+        let caught = memory.force + sense * (stiffness * missing);
+        let full = memory.force + stiffness * d;
+        let full_slope = early | sticks;
+        memory.force = V::pick(full_slope, full, V::pick(falls, landed, caught));
+
+        let runs = !full_slope;
+        let (mut slid, mut losses) = (zero, zero);
+        if V::any(runs & touching) {
+            let rest = sense * (progress - V::pick(falls, pace, missing));
+            let way = memory.run(&size, rest);
+            memory.force = V::pick(runs, way.force, memory.force);
+            slid = V::pick(runs, way.slid, zero);
+            losses = V::pick(runs, way.losses, zero);
+            alone = alone | runs & way.alone;
+        }
+        let surplus = memory.force.abs() - size.limit;
+        let over = surplus.above(zero);
+        if V::any(over & touching) {
+            memory.force = V::pick(over, size.limit.copysign(memory.force), memory.force);
+            slid = V::pick(over, slid + surplus / stiffness, slid);
+        }
+        memory.settle(!over, direction, progress);
+        memory.forget(over);
+        let slip = SlippedLanes {
+            force: memory.force,
+            gross: V::all(0.5) * (before.limit + size.limit) * slid,
+            micro: size.limit * size.slide * losses,
+            sliding: slid.above(zero),
+        };
+        (slip, alone)
+    }
+}
