@@ -1,5 +1,7 @@
 //! Measures against packings whose stress, fabric and porosity are known, and against each other.
 
+#[path = "measures/bearing.rs"]
+mod bearing;
 #[path = "measures/changes.rs"]
 mod changes;
 #[path = "measures/classes.rs"]

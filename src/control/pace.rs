@@ -2,7 +2,6 @@
 //! faster through them than a wave.
 
 use crate::engine::World;
-use crate::measure::link::Link;
 use crate::measure::region::Content;
 
 /// Largest inertial number that a servo may cause (GDR MiDi 2004): far below where flow begins to
@@ -29,17 +28,8 @@ pub(super) struct Pace {
 }
 
 impl Pace {
-    /// Of a region that shall come under a stress [Pa].
-    pub(super) fn of(world: &World, content: &Content, stress: f64) -> Self {
-        let mut sum = 0.0;
-        for link in Link::all(world).filter(Link::is_touching) {
-            let reach = link.reach(&content.inside);
-            let k = world
-                .pass()
-                .stiffness(link.place, world.geometry(link.place).overlap);
-            sum += k.k[0] * reach * (link.arms[0] + link.arms[1]);
-        }
-        let modulus = 0.5 * content.per_volume() * sum;
+    /// Of a region whose contacts answer with this modulus [Pa] and that shall come under a stress [Pa].
+    pub(super) fn of(world: &World, content: &Content, modulus: f64, stress: f64) -> Self {
         let particles = world.particles();
         let (mut mass, mut volume, mut radius) = (0.0, 0.0, 0.0);
         for (row, m) in particles.row.iter().zip(&particles.mass) {

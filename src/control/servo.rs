@@ -5,14 +5,15 @@
 //! by the isotropic, the deviatoric and the shear part of the strain rate, each in proportion to what is
 //! missing and to its integral: the latter makes what has to go on, dilation for instance, cost nothing.
 
+use nalgebra::Matrix2;
 use serde::{Deserialize, Serialize};
 
 use super::pace::Pace;
 use super::{EVERY, Target};
 use crate::engine::World;
 use crate::engine::boundary::Tensor;
+use crate::measure::bearing::Bearing;
 use crate::measure::region::{Content, Shape};
-use crate::measure::stress::Stress;
 
 /// Time constant of the integral, in time constants of the servo.
 const INTEGRAL: f64 = 4.0;
@@ -77,27 +78,21 @@ impl Servo {
 
     /// Stress that is steered [Pa]: of a region, or of everything.
     pub fn measured(world: &World, shape: Shape) -> Tensor {
-        Self::within(world, &Content::of(world, shape))
-    }
-
-    fn within(world: &World, content: &Content) -> Tensor {
-        let stress = Stress::of(world, content).total;
-        [
-            [stress[(0, 0)], stress[(0, 1)]],
-            [stress[(1, 0)], stress[(1, 1)]],
-        ]
+        tensor(&Bearing::of(world, &Content::of(world, shape)).stress)
     }
 
     pub(super) fn steer(&mut self, world: &mut World, shape: Shape) {
         let cycle = world.cycle_number();
         let content = Content::of(world, shape);
-        let stress = Self::within(world, &content);
+        let bearing = Bearing::of(world, &content);
+        let stress = tensor(&bearing.stress);
         let wanted = |target: &Target| target.at(cycle);
         let scale = self
             .goals
             .iter()
             .fold(0.0, |most: f64, (_, target)| most.max(wanted(target).abs()));
-        let pace = Pace::of(world, &content, scale.max(stress[0][0].abs()));
+        let scale = scale.max(stress[0][0].abs());
+        let pace = Pace::of(world, &content, bearing.modulus, scale);
         let interval = EVERY as f64 * world.dt();
         let mut rate = [[0.0; 2]; 2];
         for ((component, target), missed) in self.goals.iter().zip(&mut self.missed) {
@@ -123,4 +118,11 @@ impl Servo {
         }
         world.steer_boundary(rate);
     }
+}
+
+fn tensor(stress: &Matrix2<f64>) -> Tensor {
+    [
+        [stress[(0, 0)], stress[(0, 1)]],
+        [stress[(1, 0)], stress[(1, 1)]],
+    ]
 }

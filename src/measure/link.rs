@@ -3,9 +3,9 @@
 
 use nalgebra::Vector2;
 
+use super::branch::{Branch, reach};
 use crate::engine::World;
 use crate::engine::contact_report::Other;
-use crate::engine::neighbours::{Slot, Status};
 
 /// A contact that is not apart.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,30 +39,20 @@ impl Link {
     /// All contacts that are not apart, in the order of the list: sums over it have the same bits
     /// whatever the number of threads.
     pub fn all(world: &World) -> impl Iterator<Item = Self> + '_ {
-        let list = world.contacts();
-        (0..list.len())
-            .filter(|&k| list.status[k] != Status::Apart)
-            .map(|k| Self::of(world, k))
+        Branch::all(world).map(|branch| Self::of(world, &branch))
     }
 
-    fn of(world: &World, k: usize) -> Self {
-        let (geometry, reaction) = (world.geometry(k), world.reaction(k));
-        let Slot([fx, fy, ..]) = world.contacts().slots[k];
-        let radius = |p: usize| world.particles().row[p].radius;
-        let (first, other) = world.bodies(k);
-        let arms = match other {
-            Other::Particle(j) => [radius(first) * geometry.arm, radius(j) * geometry.arm],
-            Other::Wall(_) => [geometry.distance, 0.0],
-        };
-        let [e1, e2] = geometry.e;
+    fn of(world: &World, branch: &Branch) -> Self {
+        let k = branch.place;
+        let reaction = world.reaction(k);
         Self {
             place: k,
-            first,
-            other,
-            e: Vector2::new(e1, e2),
-            t: Vector2::new(e2, -e1),
-            arms,
-            force: Vector2::new(fx, fy),
+            first: branch.first,
+            other: branch.other,
+            e: branch.e,
+            t: Vector2::new(branch.e.y, -branch.e.x),
+            arms: branch.arms,
+            force: branch.force,
             normal: reaction.normal,
             tangential: reaction.tangential,
             sliding: reaction.sliding,
@@ -95,8 +85,7 @@ impl Link {
 
     /// Length of its arms that belong to particles marked as inside [m].
     pub fn reach(&self, inside: &[bool]) -> f64 {
-        let end = |p: usize, arm: f64| if inside[p] { arm } else { 0.0 };
-        end(self.first, self.arms[0]) + self.second().map_or(0.0, |p| end(p, self.arms[1]))
+        reach(self.first, self.other, self.arms, inside)
     }
 }
 

@@ -2,6 +2,8 @@
 
 mod affine;
 pub mod assembly;
+pub mod bearing;
+pub mod branch;
 pub mod changes;
 pub mod class;
 pub mod columns;
