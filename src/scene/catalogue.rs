@@ -117,6 +117,10 @@ pub const PRESETS: &[Preset] = &[
         include_str!("../../presets/pluvial-million.toml"),
     ),
     preset(
+        "large-compression",
+        include_str!("../../presets/large-compression.toml"),
+    ),
+    preset(
         "chung-ooi-1",
         include_str!("../../presets/chung-ooi-1.toml"),
     ),
