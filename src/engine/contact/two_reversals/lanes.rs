@@ -1,84 +1,15 @@
 //! The step of several contacts at once.
 //!
 //! Sticking, following a curve, reversals and sliding are worked out in lanes. A way round the end of
-//! one curve onto the next, and cube roots that are in doubt, are left to [`TwoReversals::advance`].
-//! The formulas are those of this folder, in the same order: so are the bits.
+//! one curve onto the next, and cube roots that are in doubt (two steps in a thousand of a sheared
+//! assembly), are left to [`TwoReversals::advance`]. The formulas are those of this folder, in the
+//! same order: so are the bits.
 
-use super::super::numbers::{Numbers, Reading, Writing, Written, numbers};
+use super::super::each::Slipped;
 use super::curves::lost;
-use super::{Branch, Reversals, Size, TwoReversals};
+use super::held::ReversalLanes;
+use super::{Reversals, Size, TwoReversals};
 use crate::engine::lanes::{Lanes, cube_root};
-
-const UNLOADING: f64 = Branch::Unloading as u8 as f64;
-const RELOADING: f64 = Branch::Reloading as u8 as f64;
-
-/// Memories in lanes, as [`Reversals`] has them.
-#[derive(Debug, Clone, Copy)]
-pub struct ReversalLanes<V> {
-    pub(super) overlap: V,
-    pub(super) force: V,
-    pub(super) unloaded_from: V,
-    pub(super) reloaded_from: V,
-    pub(super) shortfall: V,
-    pub(super) branch: V,
-}
-
-numbers!(ReversalLanes {
-    overlap: V,
-    force: V,
-    unloaded_from: V,
-    reloaded_from: V,
-    shortfall: V,
-    branch: V,
-});
-
-impl From<ReversalLanes<f64>> for Reversals {
-    fn from(lane: ReversalLanes<f64>) -> Self {
-        let branch = if lane.branch == RELOADING {
-            Branch::Reloading
-        } else if lane.branch == UNLOADING {
-            Branch::Unloading
-        } else {
-            Branch::Virgin
-        };
-        Self {
-            overlap: lane.overlap,
-            force: lane.force,
-            unloaded_from: lane.unloaded_from,
-            reloaded_from: lane.reloaded_from,
-            shortfall: lane.shortfall,
-            branch,
-        }
-    }
-}
-
-impl From<Reversals> for ReversalLanes<f64> {
-    fn from(memory: Reversals) -> Self {
-        Self {
-            overlap: memory.overlap,
-            force: memory.force,
-            unloaded_from: memory.unloaded_from,
-            reloaded_from: memory.reloaded_from,
-            shortfall: memory.shortfall,
-            branch: f64::from(memory.branch as u8),
-        }
-    }
-}
-
-impl Numbers<f64> for Reversals {
-    const COUNT: usize = <ReversalLanes<f64> as Numbers<f64>>::COUNT;
-
-    #[inline(always)]
-    fn take(from: &mut Reading) -> Self {
-        <ReversalLanes<f64> as Numbers<f64>>::take(from).into()
-    }
-}
-
-impl Written<f64> for Reversals {
-    fn give(self, mask: bool, to: &mut Writing) {
-        Written::<f64>::give(ReversalLanes::from(self), mask, to);
-    }
-}
 
 /// What a step answers: forces [N], losses [J], and whether the whole contact slid.
 #[derive(Clone, Copy)]
@@ -167,102 +98,6 @@ fn share<V: Lanes>(x: V) -> V {
 
 impl<V: Lanes> ReversalLanes<V> {
     #[inline(always)]
-    fn pick(mask: V::Mask, yes: &Self, no: &Self) -> Self {
-        Self {
-            overlap: V::pick(mask, yes.overlap, no.overlap),
-            force: V::pick(mask, yes.force, no.force),
-            unloaded_from: V::pick(mask, yes.unloaded_from, no.unloaded_from),
-            reloaded_from: V::pick(mask, yes.reloaded_from, no.reloaded_from),
-            shortfall: V::pick(mask, yes.shortfall, no.shortfall),
-            branch: V::pick(mask, yes.branch, no.branch),
-        }
-    }
-
-    /// The memory of a lane.
-    #[cfg(test)]
-    pub(super) fn lane(&self, lane: usize) -> Reversals {
-        let number = |column: V| column.numbers()[lane];
-        Reversals::from(ReversalLanes {
-            overlap: number(self.overlap),
-            force: number(self.force),
-            unloaded_from: number(self.unloaded_from),
-            reloaded_from: number(self.reloaded_from),
-            shortfall: number(self.shortfall),
-            branch: number(self.branch),
-        })
-    }
-
-    #[inline(always)]
-    fn is_virgin(&self) -> V::Mask {
-        self.branch.equals(V::all(0.0))
-    }
-
-    #[inline(always)]
-    fn is_unloading(&self) -> V::Mask {
-        self.branch.equals(V::all(UNLOADING))
-    }
-
-    #[inline(always)]
-    fn is_reloading(&self) -> V::Mask {
-        self.branch.equals(V::all(RELOADING))
-    }
-
-    #[inline(always)]
-    fn direction(&self, d: V) -> V {
-        let virgin = V::pick(self.force.equals(V::all(0.0)), d, self.force);
-        let decides = V::pick(self.is_virgin(), virgin, self.unloaded_from);
-        V::all(1.0).copysign(decides)
-    }
-
-    #[inline(always)]
-    fn sense(&self) -> V {
-        V::pick(self.is_unloading(), V::all(-1.0), V::all(1.0))
-    }
-
-    #[inline(always)]
-    fn forget(&mut self, mask: V::Mask) {
-        let zero = V::all(0.0);
-        self.branch = V::pick(mask, zero, self.branch);
-        self.unloaded_from = V::pick(mask, zero, self.unloaded_from);
-        self.reloaded_from = V::pick(mask, zero, self.reloaded_from);
-        self.shortfall = V::pick(mask, zero, self.shortfall);
-    }
-
-    #[inline(always)]
-    fn turn(&mut self, mask: V::Mask, direction: V) {
-        let (first, second) = (mask & self.is_virgin(), mask & self.is_unloading());
-        let overtaken = second & (direction * self.force).at_least(direction * self.unloaded_from);
-        let second = second & !overtaken;
-        self.unloaded_from = V::pick(first, self.force, self.unloaded_from);
-        self.reloaded_from = V::pick(second, self.force, self.reloaded_from);
-        let branch = V::pick(second, V::all(RELOADING), self.branch);
-        self.branch = V::pick(first, V::all(UNLOADING), branch);
-        self.shortfall = V::pick(first | second, V::all(0.0), self.shortfall);
-        self.forget(overtaken);
-    }
-
-    #[inline(always)]
-    fn shift(&mut self, rise: V) {
-        let (top, bottom) = (self.unloaded_from, self.reloaded_from);
-        self.unloaded_from = V::pick(self.is_virgin(), top, top + rise);
-        self.reloaded_from = V::pick(self.is_reloading(), bottom - rise, bottom);
-    }
-
-    #[inline(always)]
-    fn settle(&mut self, mask: V::Mask, direction: V, progress: V) {
-        let zero = V::all(0.0);
-        let mask = mask & !self.is_virgin();
-        let force = direction * self.force;
-        let top = direction * self.unloaded_from;
-        let bottom = direction * self.reloaded_from;
-        let reloading = self.is_reloading();
-        let reached = zero.at_least(top) | (-top).at_least(force) | reloading & force.at_least(top);
-        let back = reloading & zero.above(progress) & bottom.at_least(force);
-        self.branch = V::pick(mask & !reached & back, V::all(UNLOADING), self.branch);
-        self.forget(mask & reached);
-    }
-
-    #[inline(always)]
     fn run(&self, size: &Size<V>, rest: V) -> Way<V> {
         let (zero, one) = (V::all(0.0), V::all(1.0));
         let direction = self.direction(rest);
@@ -311,6 +146,9 @@ impl<V: Lanes> TwoReversals<V> {
         d: V,
         memory: &mut ReversalLanes<V>,
     ) -> SlippedLanes<V> {
+        if V::COUNT == 1 {
+            return self.advance_one(touching, overlap, d, memory);
+        }
         let old = *memory;
         let (slip, alone) = self.step(touching, overlap, d, memory);
         let alone = alone & touching;
@@ -355,6 +193,43 @@ impl<V: Lanes> TwoReversals<V> {
             gross: V::of(&aside.slip[1]),
             micro: V::of(&aside.slip[2]),
             sliding: V::mask(aside.sliding),
+        }
+    }
+
+    /// A block of one: branches are worth more to it than masks.
+    #[inline(always)]
+    fn advance_one(
+        &self,
+        touching: V::Mask,
+        overlap: V,
+        d: V,
+        memory: &mut ReversalLanes<V>,
+    ) -> SlippedLanes<V> {
+        let mut slip = Slipped::default();
+        if V::any(touching) {
+            let law = TwoReversals {
+                limit: self.limit.numbers()[0],
+                shear: self.shear.numbers()[0],
+                kappa: self.kappa.numbers()[0],
+                friction: self.friction.numbers()[0],
+            };
+            let mut one = memory.lane(0);
+            slip = law.advance(overlap.numbers()[0], d.numbers()[0], &mut one);
+            let new = ReversalLanes::from(one);
+            *memory = ReversalLanes {
+                overlap: V::all(new.overlap),
+                force: V::all(new.force),
+                unloaded_from: V::all(new.unloaded_from),
+                reloaded_from: V::all(new.reloaded_from),
+                shortfall: V::all(new.shortfall),
+                branch: V::all(new.branch),
+            };
+        }
+        SlippedLanes {
+            force: V::all(slip.force),
+            gross: V::all(slip.gross),
+            micro: V::all(slip.micro),
+            sliding: V::mask(u32::from(slip.sliding)),
         }
     }
 

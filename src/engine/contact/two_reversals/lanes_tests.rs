@@ -2,8 +2,7 @@
 
 use proptest::prelude::*;
 
-use super::lanes::ReversalLanes;
-use super::{Branch, Reversals, TwoReversals};
+use super::{Branch, ReversalLanes, Reversals, TwoReversals};
 use crate::engine::lanes::{Lanes, Plain};
 
 const OVERLAP: f64 = 2e-5;

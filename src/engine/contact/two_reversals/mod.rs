@@ -38,6 +38,7 @@
 
 mod curves;
 mod energy;
+mod held;
 mod lanes;
 #[cfg(test)]
 mod lanes_tests;
@@ -49,7 +50,8 @@ use super::each::Slipped;
 use super::numbers::{Numbers, Reading, Writing, Written, numbers};
 use crate::engine::lanes::Lanes;
 use curves::Run;
-pub use lanes::{ReversalLanes, SlippedLanes};
+pub use held::ReversalLanes;
+pub use lanes::SlippedLanes;
 
 /// The most energy that a closed cycle of overlap and displacement was found to give per turn, as a
 /// share of what a full slide there and back takes at its largest overlap (0.8 μN δ\*): a random
