@@ -11,7 +11,7 @@ const TIMES: u32 = 9;
 const CACHES: usize = 4;
 const UNKNOWN: usize = 64 << 20;
 
-/// At most so much is copied by a thread [bytes].
+/// At most so much is copied, by all threads together [bytes].
 const MOST: usize = 256 << 20;
 
 /// What memory is measured against.
@@ -28,9 +28,7 @@ impl Memory {
     pub fn measured(threads: usize) -> Self {
         let cache = cache();
         let threads = threads.max(1);
-        // More than the cache altogether, and so more than a thread's share of it.
-        let bytes = (CACHES * cache.unwrap_or(UNKNOWN)).min(MOST);
-        let rate = best_rate(threads, bytes);
+        let rate = best_rate(threads, each(cache, threads));
         Self { copy: rate, cache }
     }
 
@@ -40,6 +38,12 @@ impl Memory {
         let held = bytes <= self.cache.unwrap_or(UNKNOWN);
         (!held).then(|| bytes as f64 * rate / self.copy)
     }
+}
+
+/// What each thread copies [bytes]: together more than the cache, and no more memory for more threads.
+fn each(cache: Option<usize>, threads: usize) -> usize {
+    let all = CACHES * cache.unwrap_or(UNKNOWN);
+    all.min(MOST).div_ceil(threads)
 }
 
 /// Bytes read and written per second, the best of several copies by all threads at once.
@@ -116,6 +120,18 @@ mod tests {
         };
         assert_eq!(memory.share(1000, 1e6), None);
         assert_eq!(memory.share(2000, 2.5e6), Some(0.5));
+    }
+
+    #[test]
+    fn threads_share_what_is_copied() {
+        for cache in [None, Some(1 << 20), Some(33 << 20), Some(1 << 30)] {
+            let alone = each(cache, 1);
+            assert!(alone <= MOST, "{cache:?}");
+            for threads in 2..=64 {
+                let all = threads * each(cache, threads);
+                assert!(all >= alone && all < alone + threads, "{cache:?} {threads}");
+            }
+        }
     }
 
     /// A copy that were not made, or whose bytes were counted wrongly by a thousand, would not lie
