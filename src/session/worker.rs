@@ -24,7 +24,7 @@ const SAVE: Duration = Duration::from_secs(60);
 /// While cycles run, a frame comes so many times later than what the last one took.
 const FRAMES: u32 = 4;
 
-/// But no later than this.
+/// But no later than this, or than what the last one took: cycles get half of the time at least.
 const LATE: Duration = Duration::from_millis(120);
 
 /// The rate shown is that of the last so much time.
@@ -187,6 +187,11 @@ impl Rate {
         }
         if running { self.value } else { 0.0 }
     }
+}
+
+/// How long cycles run after a frame that took so long.
+fn pause(took: Duration) -> Duration {
+    (FRAMES * took).min(LATE.max(took))
 }
 
 /// The worker's own end.
@@ -421,7 +426,7 @@ impl Desk {
 
     /// Whether another frame so soon would keep cycles from running.
     fn is_early(&self) -> bool {
-        let early = |(then, took): (Instant, Duration)| then.elapsed() < (FRAMES * took).min(LATE);
+        let early = |(then, took): (Instant, Duration)| then.elapsed() < pause(took);
         self.running && self.posted.is_some_and(early)
     }
 
@@ -462,5 +467,18 @@ impl Desk {
             Ok(()) => self.saved_cycle = Some(cycle),
             Err(error) => self.tell(Report::Notice(error.to_string())),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cycles_get_four_fifths_of_the_time_and_half_of_it_when_frames_are_slow() {
+        let after = |took| pause(Duration::from_millis(took)).as_millis();
+        assert_eq!([1, 30].map(after), [4, 120]);
+        assert_eq!([50, 120].map(after), [120, 120]);
+        assert_eq!([121, 300, 2000].map(after), [121, 300, 2000]);
     }
 }
