@@ -68,7 +68,8 @@ impl From<io::Error> for Failure {
     }
 }
 
-/// Writes `value` to `path`, whole or not at all, as it comes: nowhere does all of it stand in memory.
+/// Writes `value` to `path`, whole or not at all, as it comes: nowhere do all of its bytes stand in memory
+/// (those of a world but for the memory of its contacts, which it hands over as bytes).
 pub fn write<T: Serialize>(path: &Path, value: &T) -> Result<(), RecordError> {
     whole_file::write_with(path, |to| {
         pack(value, to).map_err(|failure| match failure {
