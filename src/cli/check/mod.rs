@@ -35,11 +35,11 @@ pub(super) fn check(options: &Check) -> u8 {
         }
         Ok(true) => {}
     }
-    let session = match Session::open(scene.clone(), Options::default()) {
+    let session = match Session::open(scene, Options::default()) {
         Ok(session) => session,
         Err(error) => return unopened(&error),
     };
-    // With the sample, if there is one.
+    // As it was completed by its sample; the particles themselves stand in the world only.
     let scene = session.scene().clone();
     let world = session.world();
     modelled::describe(&mut report, &scene, world);
