@@ -1,6 +1,7 @@
 //! A picture of a world at a cycle boundary: what screens and files draw. Immutable, and complete
 //! in itself: whoever draws it needs no world.
 
+use super::means::{Means, Sums};
 use super::sight::{Sieve, Sight};
 use crate::engine::World;
 use crate::engine::contact_report::Other;
@@ -94,6 +95,13 @@ impl Touch {
         }
     }
 
+    /// Middle of the force bar, and half of its length [m].
+    pub fn bar(&self) -> ([f64; 2], f64) {
+        let [from, to] = self.ends;
+        let middle = [0, 1].map(|k| 0.5 * (from[k] + to[k]));
+        (middle, 0.5 * self.length)
+    }
+
     /// Magnitude of the contact force [N].
     pub fn force(&self) -> f64 {
         (self.n * self.n + self.t * self.t).sqrt()
@@ -122,6 +130,8 @@ pub struct Picture {
     pub bounds: [[f64; 2]; 2],
     /// Box around all discs [m] where some of them are left out: more than can be seen.
     pub whole: Option<[[f64; 2]; 2]>,
+    /// Means over all discs and contacts, also those that are left out.
+    pub means: Means,
 }
 
 /// So many particles are drawn whatever is seen of them.
@@ -142,6 +152,7 @@ impl Picture {
         let list = world.contacts();
         let touching = (0..list.len()).filter(|&k| list.status[k] != Status::Apart);
         picture.touches = touching.map(|k| Touch::of(world, k)).collect();
+        picture.means = Means::of(&picture.discs, &picture.touches);
         picture.draw_walls(world);
         picture
     }
@@ -157,8 +168,9 @@ impl Picture {
             ..Self::default()
         };
         let sight = sight.map_or(Sight::whole(picture.bounds), |sight| sight.wider());
-        let selected = sight.selected.and_then(|id| particles.index(id));
+        let selected = sight.selected;
         let mut sieve = Sieve::new(&sight);
+        let mut sums = Sums::default();
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for p in 0..particles.len() {
             let (at, radius) = (home(world, world.position(p)), particles.row[p].radius);
@@ -166,9 +178,10 @@ impl Picture {
                 low[k] = low[k].min(at[k] - radius);
                 high[k] = high[k].max(at[k] + radius);
             }
+            sums.add_disc(radius);
             // One whose motion is prescribed looks otherwise.
             let most = 1 + u8::from(particles.is_driven(p));
-            if sieve.passes(at, radius, most) || selected == Some(p) {
+            if sieve.passes(at, radius, most) || selected == Some(particles.id[p]) {
                 picture.discs.push(Disc::of(world, p));
             }
         }
@@ -176,16 +189,16 @@ impl Picture {
         let mut sieve = Sieve::new(&sight);
         let list = world.contacts();
         for k in (0..list.len()).filter(|&k| list.status[k] != Status::Apart) {
-            let (first, second) = match world.bodies(k) {
-                (i, Other::Particle(j)) => (i, Some(j)),
-                (i, Other::Wall(_)) => (i, None),
-            };
-            let at = home(world, world.position(first));
-            let chosen = selected.is_some() && (selected == Some(first) || selected == second);
-            if sieve.passes(at, particles.row[first].radius, BARS) || chosen {
-                picture.touches.push(Touch::of(world, k));
+            let touch = Touch::of(world, k);
+            sums.add_contact(touch.force(), touch.t);
+            let (middle, half) = touch.bar();
+            let is_chosen = |id| Some(id) == selected;
+            let chosen = is_chosen(touch.first) || touch.second.is_some_and(is_chosen);
+            if sieve.passes(middle, half, BARS) || chosen {
+                picture.touches.push(touch);
             }
         }
+        picture.means = sums.means();
         picture.draw_walls(world);
         picture
     }

@@ -16,6 +16,7 @@ pub mod frame;
 pub mod histogram;
 pub mod link;
 pub mod load;
+pub mod means;
 pub mod obliquity;
 pub mod overlap;
 pub mod polygon;

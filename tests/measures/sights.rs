@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::time::Duration;
 
-use ballast::measure::frame::Picture;
+use ballast::measure::frame::{Picture, Touch};
 use ballast::measure::sight::Sight;
 use ballast::scene::Scene;
 use ballast::session::{Budget, Options, Session};
@@ -72,7 +72,7 @@ fn every_dot_that_something_falls_in_is_drawn_and_few_things_twice() {
         let touches = picture
             .touches
             .iter()
-            .map(|touch| dot(&sight, touch.ends[0]));
+            .map(|touch| dot(&sight, touch.bar().0));
         [discs.collect::<BTreeSet<_>>(), touches.collect()]
     };
     let [discs, touches] = dots(&whole);
@@ -88,6 +88,11 @@ fn every_dot_that_something_falls_in_is_drawn_and_few_things_twice() {
         assert!((high[k] - whole.bounds[1][k]).abs() < 1e-15);
     }
     assert_eq!((seen.bounds, &seen.walls), (whole.bounds, &whole.walls));
+    // The width of a bar goes by all of them, whatever is seen.
+    let part = Sight::whole([[0.0, 0.0], [0.03, 0.02]]);
+    let close = Picture::seen(world.world(), Some(&part));
+    assert!(whole.means.force > 0.0 && whole.means.radius > 0.0);
+    assert_eq!([seen.means, close.means], [whole.means; 2]);
 }
 
 #[test]
@@ -113,11 +118,14 @@ fn whoever_looks_closely_sees_everything_there_and_what_is_selected() {
         .discs
         .retain(|disc| near(disc.at) || is_selected(disc.id));
     expected.touches.retain(|touch| {
-        near(touch.ends[0]) || is_selected(touch.first) || touch.second.is_some_and(is_selected)
+        near(touch.bar().0) || is_selected(touch.first) || touch.second.is_some_and(is_selected)
     });
+    // From whichever end: some that are near begin outside.
+    let begins_outside = |touch: &&Touch| near(touch.bar().0) && !near(touch.ends[0]);
+    assert!(expected.touches.iter().any(|touch| begins_outside(&touch)));
     assert_eq!(seen.discs, expected.discs);
     assert_eq!(seen.touches, expected.touches);
-    let far = seen.touches.iter().filter(|touch| !near(touch.ends[0]));
+    let far = seen.touches.iter().filter(|touch| !near(touch.bar().0));
     assert_eq!(far.count(), 2);
     assert!(seen.discs.len() > 100 && seen.discs.len() < 300);
 }

@@ -14,6 +14,7 @@ use ballast::measure::changes::{Bond, Changes};
 use ballast::measure::columns::Column;
 use ballast::measure::frame::{Disc, Picture, Stroke, Touch};
 use ballast::measure::histogram::Histogram;
+use ballast::measure::means::Means;
 use ballast::measure::obliquity::Obliquity;
 use ballast::measure::profile::{Profile, Ring};
 use ballast::measure::rose::{PETALS, Rose};
@@ -461,6 +462,7 @@ fn picture() -> Picture {
         name: name.into(),
         ends,
     };
+    let means = Means::of(&discs, &touches);
     Picture {
         discs,
         touches,
@@ -470,5 +472,6 @@ fn picture() -> Picture {
         ],
         bounds: [[0.0, 0.0], [0.8, 0.7]],
         whole: None,
+        means,
     }
 }

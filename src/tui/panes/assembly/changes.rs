@@ -58,9 +58,7 @@ pub(super) fn draw(
 /// A bar across each contact that slid, as long as it slid: at most a mean diameter, or bars would hide
 /// each other.
 fn draw_slid(picture: &Picture, slid: &[Slid], map: &Map, dots: &mut Dots) {
-    let radii = picture.discs.iter().map(|disc| disc.radius);
-    let mean = radii.sum::<f64>() / picture.discs.len().max(1) as f64;
-    let half = mean * map.per_metre[0] / slid_scale(slid);
+    let half = picture.means.radius * map.per_metre[0] / slid_scale(slid);
     let down = map.per_metre[1] / map.per_metre[0];
     for Slid { at, along, way } in slid {
         let middle = map.at(*at);

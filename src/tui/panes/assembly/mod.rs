@@ -222,18 +222,12 @@ fn bar_force(touch: &Touch, chains: Chains) -> f64 {
     }
 }
 
-/// Mean over the contacts that carry something [N].
+/// Mean over all contacts that carry something [N].
 fn mean_force(picture: &Picture, chains: Chains) -> f64 {
-    let forces = picture.touches.iter().map(|touch| bar_force(touch, chains));
-    let (mut sum, mut count) = (0.0, 0u32);
-    for force in forces.filter(|force| force.is_finite() && *force > 0.0) {
-        sum += force;
-        count += 1;
-    }
-    if count == 0 {
-        0.0
-    } else {
-        sum / f64::from(count)
+    match chains {
+        Chains::Off => 0.0,
+        Chains::Force => picture.means.force,
+        Chains::Tangential => picture.means.tangential,
     }
 }
 
@@ -268,12 +262,8 @@ fn draw_bars(picture: &Picture, app: &App, mean: f64, map: &Map, dots: &mut Dots
             }
             Points::Ascii => 1,
         };
-        let end = |sign: f64| {
-            [0, 1].map(|k| {
-                let middle = 0.5 * (touch.ends[0][k] + touch.ends[1][k]);
-                middle + sign * 0.5 * touch.length * touch.normal[k]
-            })
-        };
+        let (middle, half) = touch.bar();
+        let end = |sign: f64| [0, 1].map(|k| middle[k] + sign * half * touch.normal[k]);
         let (from, to) = (map.at(end(-1.0)), map.at(end(1.0)));
         dots.bar(from, to, width, Ink::Force(class));
     }
