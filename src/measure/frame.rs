@@ -3,6 +3,7 @@
 
 use super::means::{Means, Sums};
 use super::sight::{Sieve, Sight};
+use super::strongest::Strongest;
 use crate::engine::World;
 use crate::engine::contact_report::Other;
 use crate::engine::neighbours::Status;
@@ -137,9 +138,6 @@ pub struct Picture {
 /// So many particles are drawn whatever is seen of them.
 const FEW: usize = 20_000;
 
-/// Contacts shorter than a dot that are drawn in the same dot.
-const BARS: u8 = 2;
-
 impl Picture {
     /// Draws a world whose forces are summed.
     pub fn of(world: &World) -> Self {
@@ -186,18 +184,20 @@ impl Picture {
             }
         }
         picture.whole = Some([low, high]);
-        let mut sieve = Sieve::new(&sight);
+        let mut strongest = Strongest::new(&sight);
         let list = world.contacts();
         for k in (0..list.len()).filter(|&k| list.status[k] != Status::Apart) {
             let touch = Touch::of(world, k);
             sums.add_contact(touch.force(), touch.t);
-            let (middle, half) = touch.bar();
             let is_chosen = |id| Some(id) == selected;
-            let chosen = is_chosen(touch.first) || touch.second.is_some_and(is_chosen);
-            if sieve.passes(middle, half, BARS) || chosen {
-                picture.touches.push(touch);
+            if is_chosen(touch.first) || touch.second.is_some_and(is_chosen) {
+                strongest.choose(k);
+            } else {
+                strongest.look(k, touch.bar(), touch.force());
             }
         }
+        let chosen = strongest.chosen();
+        picture.touches = chosen.iter().map(|&k| Touch::of(world, k)).collect();
         picture.means = sums.means();
         picture.draw_walls(world);
         picture

@@ -30,6 +30,7 @@ pub mod sample;
 pub mod sight;
 pub mod strain;
 pub mod stress;
+mod strongest;
 pub mod survey;
 pub mod tensor;
 pub mod wall_force;

@@ -46,17 +46,26 @@ impl Sight {
     }
 }
 
-/// Lets pass what is seen: everything larger than a dot, and of what is smaller a few for each dot.
+/// Where something is seen.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Place {
+    /// Nowhere.
+    Outside,
+    /// At several dots: it is larger than one.
+    Large,
+    /// At this one.
+    Dot(usize),
+}
+
+/// The dots of a sight.
 #[derive(Debug)]
-pub(super) struct Sieve {
+pub(super) struct Grid {
     low: [f64; 2],
     per_metre: [f64; 2],
     dots: [usize; 2],
-    /// How many have passed at each dot.
-    passed: Vec<u8>,
 }
 
-impl Sieve {
+impl Grid {
     pub(super) fn new(sight: &Sight) -> Self {
         let dots = sight.dots.map(|n| n.clamp(1, MOST) as usize);
         let [low, high] = sight.window;
@@ -65,25 +74,60 @@ impl Sieve {
             low,
             per_metre,
             dots,
-            passed: vec![0; dots[0] * dots[1]],
+        }
+    }
+
+    /// How many dots there are.
+    pub(super) fn count(&self) -> usize {
+        self.dots[0] * self.dots[1]
+    }
+
+    /// Place of something that reaches so far around this point [m].
+    pub(super) fn place(&self, at: [f64; 2], reach: f64) -> Place {
+        let place = [0, 1].map(|k| (at[k] - self.low[k]) * self.per_metre[k]);
+        let around = self.per_metre.map(|scale| reach * scale);
+        let seen = (0..2)
+            .all(|k| place[k] + around[k] >= 0.0 && place[k] - around[k] <= self.dots[k] as f64);
+        if !seen {
+            return Place::Outside;
+        }
+        if around[0].max(around[1]) >= ROUND {
+            return Place::Large;
+        }
+        let [x, y] = [0, 1].map(|k| (place[k].max(0.0) as usize).min(self.dots[k] - 1));
+        Place::Dot(y * self.dots[0] + x)
+    }
+}
+
+/// Lets pass what is seen: everything larger than a dot, and of what is smaller a few for each dot.
+#[derive(Debug)]
+pub(super) struct Sieve {
+    grid: Grid,
+    /// How many have passed at each dot.
+    passed: Vec<u8>,
+}
+
+impl Sieve {
+    pub(super) fn new(sight: &Sight) -> Self {
+        let grid = Grid::new(sight);
+        Self {
+            passed: vec![0; grid.count()],
+            grid,
         }
     }
 
     /// Whether something passes that reaches so far around this point [m]; at most so many do that are
     /// no larger than a dot.
     pub(super) fn passes(&mut self, at: [f64; 2], reach: f64, most: u8) -> bool {
-        let place = [0, 1].map(|k| (at[k] - self.low[k]) * self.per_metre[k]);
-        let around = self.per_metre.map(|scale| reach * scale);
-        let seen = (0..2)
-            .all(|k| place[k] + around[k] >= 0.0 && place[k] - around[k] <= self.dots[k] as f64);
-        if !seen || around[0].max(around[1]) >= ROUND {
-            return seen;
+        match self.grid.place(at, reach) {
+            Place::Outside => false,
+            Place::Large => true,
+            Place::Dot(dot) => {
+                let passes = self.passed[dot] < most;
+                self.passed[dot] += u8::from(passes);
+                passes
+            }
         }
-        let [x, y] = [0, 1].map(|k| (place[k].max(0.0) as usize).min(self.dots[k] - 1));
-        let passed = &mut self.passed[y * self.dots[0] + x];
-        let passes = *passed < most;
-        *passed += u8::from(passes);
-        passes
     }
 }
 

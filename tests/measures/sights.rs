@@ -1,6 +1,6 @@
 //! Of a scene with more particles than a screen has dots, a picture holds what can be seen, and no more.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
 
 use ballast::measure::frame::{Picture, Touch};
@@ -59,6 +59,12 @@ fn dot(sight: &Sight, at: [f64; 2]) -> Option<[u32; 2]> {
 #[test]
 fn every_dot_that_something_falls_in_is_drawn_and_few_things_twice() {
     let mut session = square(150);
+    // Its rims spring back: contacts there carry less than others.
+    let some = Budget {
+        until_cycle: Some(40),
+        ..Budget::default()
+    };
+    session.advance(some, false).expect("it runs");
     let world = session.sample();
     let whole = Picture::of(world.world());
     let sight = Sight {
@@ -88,6 +94,16 @@ fn every_dot_that_something_falls_in_is_drawn_and_few_things_twice() {
         assert!((high[k] - whole.bounds[1][k]).abs() < 1e-15);
     }
     assert_eq!((seen.bounds, &seen.walls), (whole.bounds, &whole.walls));
+    // Of bars it is the strongest that are there.
+    let largest = |picture: &Picture| {
+        let mut largest = BTreeMap::new();
+        for touch in &picture.touches {
+            let at_dot: &mut f64 = largest.entry(dot(&sight, touch.bar().0)).or_default();
+            *at_dot = at_dot.max(touch.force());
+        }
+        largest
+    };
+    assert_eq!(largest(&seen), largest(&whole));
     // The width of a bar goes by all of them, whatever is seen.
     let part = Sight::whole([[0.0, 0.0], [0.03, 0.02]]);
     let close = Picture::seen(world.world(), Some(&part));
