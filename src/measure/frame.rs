@@ -155,8 +155,9 @@ impl Picture {
         picture
     }
 
-    /// The same, but of a large world only what can be seen of it.
-    pub fn seen(world: &World, sight: Option<&Sight>) -> Self {
+    /// The same, but of a large world only what can be seen of it, and the particle of the number
+    /// `selected` with its contacts wherever it is.
+    pub fn seen(world: &World, sight: Option<&Sight>, selected: Option<u32>) -> Self {
         let particles = world.particles();
         if particles.len() <= FEW {
             return Self::of(world);
@@ -166,7 +167,6 @@ impl Picture {
             ..Self::default()
         };
         let sight = sight.map_or(Sight::whole(picture.bounds), |sight| sight.wider());
-        let selected = sight.selected;
         let mut sieve = Sieve::new(&sight);
         let mut sums = Sums::default();
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);

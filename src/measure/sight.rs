@@ -7,8 +7,6 @@ pub struct Sight {
     pub window: [[f64; 2]; 2],
     /// Dots across and down it.
     pub dots: [u32; 2],
-    /// Number of a particle that is shown with its contacts wherever it is.
-    pub selected: Option<u32>,
 }
 
 /// Dots across and down where nobody has said how finely it is seen.
@@ -26,7 +24,6 @@ impl Sight {
         Self {
             window,
             dots: UNKNOWN,
-            selected: None,
         }
     }
 
@@ -41,7 +38,6 @@ impl Sight {
                 [0, 1].map(|k| high[k] + more[k]),
             ],
             dots: self.dots.map(|n| n + n.div_ceil(2)),
-            ..self
         }
     }
 }
@@ -139,7 +135,6 @@ mod tests {
         Sight {
             window: [[0.0, 0.0], [10.0, 10.0]],
             dots: [10, 10],
-            selected: None,
         }
     }
 

@@ -27,6 +27,8 @@ pub struct Wants {
     pub picture: bool,
     /// What is seen of them, where they are too many to be seen all.
     pub sight: Option<Sight>,
+    /// Number of a particle that is there with its contacts whether it can be seen or not.
+    pub selected: Option<u32>,
     /// Energies, if they are booked or not.
     pub energies: bool,
     /// Measures of the first region.
@@ -40,6 +42,7 @@ impl Default for Wants {
         Self {
             picture: true,
             sight: None,
+            selected: None,
             energies: true,
             survey: Parts::default(),
             polygon: None,
@@ -223,7 +226,7 @@ impl Session {
         let measures = || Measures::of(&sample, wants);
         let measures = Kept::get(&mut shown.measures, now, none, suit, measures);
         let picture = if wants.picture {
-            Picture::seen(sample.world(), wants.sight.as_ref())
+            Picture::seen(sample.world(), wants.sight.as_ref(), wants.selected)
         } else {
             Picture::default()
         };

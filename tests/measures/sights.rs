@@ -70,9 +70,8 @@ fn every_dot_that_something_falls_in_is_drawn_and_few_things_twice() {
     let sight = Sight {
         window: whole.bounds,
         dots: [40, 30],
-        selected: None,
     };
-    let seen = Picture::seen(world.world(), Some(&sight));
+    let seen = Picture::seen(world.world(), Some(&sight), None);
     let dots = |picture: &Picture| {
         let discs = picture.discs.iter().map(|disc| dot(&sight, disc.at));
         let touches = picture
@@ -106,7 +105,7 @@ fn every_dot_that_something_falls_in_is_drawn_and_few_things_twice() {
     assert_eq!(largest(&seen), largest(&whole));
     // The width of a bar goes by all of them, whatever is seen.
     let part = Sight::whole([[0.0, 0.0], [0.03, 0.02]]);
-    let close = Picture::seen(world.world(), Some(&part));
+    let close = Picture::seen(world.world(), Some(&part), None);
     assert!(whole.means.force > 0.0 && whole.means.radius > 0.0);
     assert_eq!([seen.means, close.means], [whole.means; 2]);
 }
@@ -121,10 +120,9 @@ fn whoever_looks_closely_sees_everything_there_and_what_is_selected() {
     let sight = Sight {
         window: [[0.1, 0.1], [0.12, 0.11]],
         dots: [100, 50],
-        selected: Some(corner.id),
     };
-    let seen = Picture::seen(world.world(), Some(&sight));
-    let is_selected = |id| Some(id) == sight.selected;
+    let seen = Picture::seen(world.world(), Some(&sight), Some(corner.id));
+    let is_selected = |id: u32| id == corner.id;
     let near = |at: [f64; 2]| {
         let [low, high] = sight.wider().window;
         (0..2).all(|k| at[k] + 1e-3 >= low[k] && at[k] - 1e-3 <= high[k])
@@ -144,6 +142,13 @@ fn whoever_looks_closely_sees_everything_there_and_what_is_selected() {
     let far = seen.touches.iter().filter(|touch| !near(touch.bar().0));
     assert_eq!(far.count(), 2);
     assert!(seen.discs.len() > 100 && seen.discs.len() < 300);
+    // Also where nobody looks at the assembly.
+    for corner in [&whole.discs[0], corner] {
+        let unseen = Picture::seen(world.world(), None, Some(corner.id));
+        let of = |touch: &&Touch| touch.first == corner.id || touch.second == Some(corner.id);
+        let [found, all] = [&unseen, &whole].map(|picture| picture.touches.iter().filter(of));
+        assert!(found.eq(all) && unseen.discs.contains(corner));
+    }
 }
 
 #[test]
@@ -151,7 +156,7 @@ fn a_scene_that_is_no_crowd_is_drawn_whole() {
     let mut session = square(20);
     let world = session.sample();
     let far = Sight::whole([[7.0, 7.0], [8.0, 8.0]]);
-    let seen = Picture::seen(world.world(), Some(&far));
+    let seen = Picture::seen(world.world(), Some(&far), None);
     assert!(seen.whole.is_none() && seen == Picture::of(world.world()));
 }
 

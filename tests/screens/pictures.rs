@@ -160,6 +160,19 @@ fn panes_without_anything_to_draw() {
 }
 
 #[test]
+fn frames_have_to_carry_the_selected_disc_whatever_pane_is_shown() {
+    let mut app = app(LOOK);
+    for (id, _) in PANES {
+        app.zoomed = Some(*id);
+        for selected in [None, Some(3)] {
+            app.selected = selected;
+            drawn(&mut app, 80, 24);
+            assert_eq!(app.wants().selected, selected, "{id:?}");
+        }
+    }
+}
+
+#[test]
 fn other_panes_in_the_places() {
     let mut swapped = app(LOOK);
     drawn(&mut swapped, 80, 24);

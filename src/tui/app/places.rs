@@ -30,10 +30,11 @@ impl App {
     }
 
     /// What the panes on the screen need of a frame. The picture is always needed: keys choose discs
-    /// and contacts out of it.
+    /// and contacts out of it, of the selected disc too where no pane shows it.
     pub fn wants(&self) -> Wants {
         let mut wants = Wants {
             energies: false,
+            selected: self.selected,
             ..Wants::default()
         };
         for (id, _) in &self.arrangement.panes {

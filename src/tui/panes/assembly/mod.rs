@@ -128,7 +128,6 @@ fn sight(app: &App, id: PaneId) -> Option<Sight> {
     Some(Sight {
         window: [map.low, map.high],
         dots: dots.size().map(|n| n as u32),
-        selected: app.selected,
     })
 }
 
