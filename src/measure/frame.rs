@@ -142,7 +142,7 @@ impl Picture {
     /// Draws a world whose forces are summed.
     pub fn of(world: &World) -> Self {
         let mut picture = Self {
-            bounds: bounds(world),
+            bounds: bounds(world, around_discs(world)),
             ..Self::default()
         };
         let count = world.particles().len();
@@ -162,20 +162,17 @@ impl Picture {
         if particles.len() <= FEW {
             return Self::of(world);
         }
-        let mut picture = Self {
-            bounds: bounds(world),
-            ..Self::default()
+        let mut picture = Self::default();
+        let sight = match sight {
+            Some(sight) => sight.wider(),
+            None => Sight::whole(bounds(world, around_discs(world))),
         };
-        let sight = sight.map_or(Sight::whole(picture.bounds), |sight| sight.wider());
         let mut sieve = Sieve::new(&sight);
         let mut sums = Sums::default();
-        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        let mut whole = NOTHING;
         for p in 0..particles.len() {
             let (at, radius) = (home(world, world.position(p)), particles.row[p].radius);
-            for k in 0..2 {
-                low[k] = low[k].min(at[k] - radius);
-                high[k] = high[k].max(at[k] + radius);
-            }
+            take(&mut whole, at, radius);
             sums.add_disc(radius);
             // One whose motion is prescribed looks otherwise.
             let most = 1 + u8::from(particles.is_driven(p));
@@ -183,7 +180,8 @@ impl Picture {
                 picture.discs.push(Disc::of(world, p));
             }
         }
-        picture.whole = Some([low, high]);
+        picture.whole = Some(whole);
+        picture.bounds = bounds(world, whole);
         let mut strongest = Strongest::new(&sight);
         let list = world.contacts();
         for k in (0..list.len()).filter(|&k| list.status[k] != Status::Apart) {
@@ -246,27 +244,41 @@ pub(super) fn home(world: &World, x: [f64; 2]) -> [f64; 2] {
     }
 }
 
-/// Of all discs and of the finite ends of walls.
-fn bounds(world: &World) -> [[f64; 2]; 2] {
-    let mut low = [f64::INFINITY; 2];
-    let mut high = [f64::NEG_INFINITY; 2];
-    let mut take = |x: [f64; 2], r: f64| {
-        for k in 0..2 {
-            if x[k].is_finite() {
-                low[k] = low[k].min(x[k] - r);
-                high[k] = high[k].max(x[k] + r);
-            }
+/// The box that a box is before it takes anything [m].
+const NOTHING: [[f64; 2]; 2] = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+
+/// Makes a box so large that it holds what reaches so far around a point [m].
+fn take([low, high]: &mut [[f64; 2]; 2], x: [f64; 2], reach: f64) {
+    for k in 0..2 {
+        if x[k].is_finite() {
+            low[k] = low[k].min(x[k] - reach);
+            high[k] = high[k].max(x[k] + reach);
         }
-    };
+    }
+}
+
+/// Box around all discs [m].
+fn around_discs(world: &World) -> [[f64; 2]; 2] {
+    let mut found = NOTHING;
+    for p in 0..world.particles().len() {
+        take(
+            &mut found,
+            world.position(p),
+            world.particles().row[p].radius,
+        );
+    }
+    found
+}
+
+/// Box around all discs, which is known, or the cell, and the finite ends of walls [m].
+fn bounds(world: &World, discs: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
+    let mut found = discs;
     if let Some(cell) = world.cell() {
+        found = NOTHING;
         for image in [[0, 0], [1, 0], [0, 1], [1, 1]] {
             let shift = cell.shift(image);
             let corner = [0, 1].map(|k| cell.corner[k] + shift[k] + world.origin()[k]);
-            take(corner, 0.0);
-        }
-    } else {
-        for p in 0..world.particles().len() {
-            take(world.position(p), world.particles().row[p].radius);
+            take(&mut found, corner, 0.0);
         }
     }
     for wall in world
@@ -276,9 +288,11 @@ fn bounds(world: &World) -> [[f64; 2]; 2] {
     {
         for end in 0..2 {
             let x = wall.end(end);
-            take([x[0] + world.origin()[0], x[1] + world.origin()[1]], 0.0);
+            let x = [x[0] + world.origin()[0], x[1] + world.origin()[1]];
+            take(&mut found, x, 0.0);
         }
     }
+    let [low, high] = found;
     if low[0] > high[0] || low[1] > high[1] {
         [[0.0; 2], [1.0; 2]]
     } else {
