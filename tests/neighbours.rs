@@ -105,7 +105,7 @@ fn memory(world: &World, i: u32, j: u32) -> [f64; 2] {
 #[test]
 fn commands_keep_numbers_and_memory() {
     let mut world = world(collapsing_pile(6, 0.6));
-    run(&mut world, 12_000);
+    run(&mut world, 9_000);
     // Sticking pairs with a shear force, none with the particles that come and go. (What slides is
     // cut to its limit when forces around it change.)
     let pairs: Vec<[u32; 2]> = (0..world.contacts().pairs.len())
@@ -116,7 +116,7 @@ fn commands_keep_numbers_and_memory() {
         .map(|k| world.contacts().pairs[k].map(|p| world.particles().id[p as usize]))
         .filter(|pair| !pair.contains(&4) && !pair.contains(&12))
         .collect();
-    assert!(pairs.len() >= 3, "{}", pairs.len());
+    assert!(pairs.len() > 5, "{}", pairs.len());
     let before: Vec<[f64; 2]> = pairs.iter().map(|&[i, j]| memory(&world, i, j)).collect();
     let same = |world: &World, what: &str| {
         for (&[i, j], old) in pairs.iter().zip(&before) {

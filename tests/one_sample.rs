@@ -48,10 +48,11 @@ fn tangential_laws_agree_on_one_sample() {
     for law in ["mindlin-deresiewicz", "hertz-mindlin"] {
         let other = sheared(law, cache.path());
         for (a, b) in exact.iter().zip(other).take(3) {
-            assert!((a - b).abs() < 0.003, "{law}: {exact:?} {other:?}");
+            // Twice what README says that no tangential law moves it by.
+            assert!((a - b).abs() < 0.001, "{law}: {exact:?} {other:?}");
         }
         assert!(
-            (exact[3] / other[3] - 1.0).abs() < 0.01,
+            (exact[3] / other[3] - 1.0).abs() < 0.005,
             "{law}: {exact:?} {other:?}"
         );
     }
