@@ -27,6 +27,25 @@ numbers!(ReversalLanes {
     branch: V,
 });
 
+/// Numbers of lanes, field by field.
+pub(super) type Columns = [[f64; 8]; 6];
+
+/// The memory of a lane.
+#[inline(always)]
+pub(super) fn lane(columns: &Columns, lane: usize) -> Reversals {
+    let one = columns.map(|numbers| [numbers[lane], 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+    ReversalLanes::<f64>::of(&one).into()
+}
+
+/// Changes the memory of a lane.
+#[inline(always)]
+pub(super) fn set_lane(columns: &mut Columns, lane: usize, memory: Reversals) {
+    let new = ReversalLanes::from(memory).numbers();
+    for (numbers, new) in columns.iter_mut().zip(new) {
+        numbers[lane] = new[0];
+    }
+}
+
 impl From<ReversalLanes<f64>> for Reversals {
     #[inline(always)]
     fn from(lane: ReversalLanes<f64>) -> Self {
@@ -90,17 +109,30 @@ impl<V: Lanes> ReversalLanes<V> {
         }
     }
 
-    /// The memory of a lane.
+    /// The numbers of all lanes, field by field.
     #[inline(always)]
-    pub(super) fn lane(&self, lane: usize) -> Reversals {
-        Reversals::from(ReversalLanes {
-            overlap: self.overlap.numbers()[lane],
-            force: self.force.numbers()[lane],
-            unloaded_from: self.unloaded_from.numbers()[lane],
-            reloaded_from: self.reloaded_from.numbers()[lane],
-            shortfall: self.shortfall.numbers()[lane],
-            branch: self.branch.numbers()[lane],
-        })
+    pub(super) fn numbers(&self) -> Columns {
+        [
+            self.overlap.numbers(),
+            self.force.numbers(),
+            self.unloaded_from.numbers(),
+            self.reloaded_from.numbers(),
+            self.shortfall.numbers(),
+            self.branch.numbers(),
+        ]
+    }
+
+    /// From the numbers of all lanes.
+    #[inline(always)]
+    pub(super) fn of(columns: &Columns) -> Self {
+        Self {
+            overlap: V::of(&columns[0]),
+            force: V::of(&columns[1]),
+            unloaded_from: V::of(&columns[2]),
+            reloaded_from: V::of(&columns[3]),
+            shortfall: V::of(&columns[4]),
+            branch: V::of(&columns[5]),
+        }
     }
 
     #[inline(always)]

@@ -7,8 +7,8 @@
 
 use super::super::each::Slipped;
 use super::curves::lost;
-use super::held::ReversalLanes;
-use super::{Reversals, Size, TwoReversals};
+use super::held::{self, Columns, ReversalLanes};
+use super::{Size, TwoReversals};
 use crate::engine::lanes::{Lanes, cube_root};
 
 /// What a step answers: forces [N], losses [J], and whether the whole contact slid.
@@ -37,7 +37,7 @@ struct Way<V: Lanes> {
 struct Aside {
     law: [[f64; 8]; 4],
     step: [[f64; 8]; 2],
-    memory: [[f64; 8]; 6],
+    memory: Columns,
     slip: [[f64; 8]; 3],
     sliding: u32,
 }
@@ -55,31 +55,10 @@ impl Aside {
                 kappa,
                 friction,
             };
-            let [
-                overlap,
-                force,
-                unloaded_from,
-                reloaded_from,
-                shortfall,
-                branch,
-            ] = self.memory.map(|numbers| numbers[lane]);
-            let mut memory = Reversals::from(ReversalLanes {
-                overlap,
-                force,
-                unloaded_from,
-                reloaded_from,
-                shortfall,
-                branch,
-            });
+            let mut memory = held::lane(&self.memory, lane);
             let [overlap, d] = self.step.map(|numbers| numbers[lane]);
             let slip = law.advance(overlap, d, &mut memory);
-            let new = ReversalLanes::from(memory);
-            self.memory[0][lane] = new.overlap;
-            self.memory[1][lane] = new.force;
-            self.memory[2][lane] = new.unloaded_from;
-            self.memory[3][lane] = new.reloaded_from;
-            self.memory[4][lane] = new.shortfall;
-            self.memory[5][lane] = new.branch;
+            held::set_lane(&mut self.memory, lane, memory);
             self.slip[0][lane] = slip.force;
             self.slip[1][lane] = slip.gross;
             self.slip[2][lane] = slip.micro;
@@ -155,7 +134,6 @@ impl<V: Lanes> TwoReversals<V> {
         if !V::any(alone) {
             return slip;
         }
-        let m = ReversalLanes::pick(alone, &old, memory);
         let mut aside = Aside {
             law: [
                 self.limit.numbers(),
@@ -164,14 +142,7 @@ impl<V: Lanes> TwoReversals<V> {
                 self.friction.numbers(),
             ],
             step: [overlap.numbers(), d.numbers()],
-            memory: [
-                m.overlap.numbers(),
-                m.force.numbers(),
-                m.unloaded_from.numbers(),
-                m.reloaded_from.numbers(),
-                m.shortfall.numbers(),
-                m.branch.numbers(),
-            ],
+            memory: ReversalLanes::pick(alone, &old, memory).numbers(),
             slip: [
                 slip.force.numbers(),
                 slip.gross.numbers(),
@@ -180,14 +151,7 @@ impl<V: Lanes> TwoReversals<V> {
             sliding: V::bits(slip.sliding),
         };
         aside.advance(V::bits(alone));
-        *memory = ReversalLanes {
-            overlap: V::of(&aside.memory[0]),
-            force: V::of(&aside.memory[1]),
-            unloaded_from: V::of(&aside.memory[2]),
-            reloaded_from: V::of(&aside.memory[3]),
-            shortfall: V::of(&aside.memory[4]),
-            branch: V::of(&aside.memory[5]),
-        };
+        *memory = ReversalLanes::of(&aside.memory);
         SlippedLanes {
             force: V::of(&aside.slip[0]),
             gross: V::of(&aside.slip[1]),
@@ -213,17 +177,11 @@ impl<V: Lanes> TwoReversals<V> {
                 kappa: self.kappa.numbers()[0],
                 friction: self.friction.numbers()[0],
             };
-            let mut one = memory.lane(0);
+            let mut columns = memory.numbers();
+            let mut one = held::lane(&columns, 0);
             slip = law.advance(overlap.numbers()[0], d.numbers()[0], &mut one);
-            let new = ReversalLanes::from(one);
-            *memory = ReversalLanes {
-                overlap: V::all(new.overlap),
-                force: V::all(new.force),
-                unloaded_from: V::all(new.unloaded_from),
-                reloaded_from: V::all(new.reloaded_from),
-                shortfall: V::all(new.shortfall),
-                branch: V::all(new.branch),
-            };
+            held::set_lane(&mut columns, 0, one);
+            *memory = ReversalLanes::of(&columns);
         }
         SlippedLanes {
             force: V::all(slip.force),

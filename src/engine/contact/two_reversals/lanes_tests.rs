@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 
-use super::{Branch, ReversalLanes, Reversals, TwoReversals};
+use super::{Branch, ReversalLanes, Reversals, TwoReversals, held};
 use crate::engine::lanes::{Lanes, Plain};
 
 const OVERLAP: f64 = 2e-5;
@@ -88,7 +88,7 @@ fn together<V: Lanes>(walks: &[Vec<[f64; 2]>; 4]) -> Seen {
                 let got = [force[lane], gross[lane], micro[lane]].map(f64::to_bits);
                 assert_eq!(want, got, "step {step}, contact {k}: {one:?}");
                 assert_eq!(one.sliding, V::bits(slip.sliding) >> lane & 1 == 1);
-                lanes[k] = memory.lane(lane);
+                lanes[k] = held::lane(&memory.numbers(), lane);
                 assert_eq!(numbers(&alone[k]), numbers(&lanes[k]), "step {step}");
                 seen[alone[k].branch as usize] += 1;
                 seen[3] += u64::from(one.sliding);
