@@ -7,6 +7,9 @@ use serde::{Deserialize, Serialize};
 use super::rows::Rows;
 use super::setup::{Body, ParticleSetup};
 
+/// Fewer particles than this stay near the processor by themselves: passes ask for no memory ahead.
+pub(super) const FAR: usize = 8192;
+
 /// What the contact and motion passes read and write of one particle: one cache line.
 #[repr(C, align(64))]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]

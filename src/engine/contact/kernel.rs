@@ -22,14 +22,11 @@ use crate::engine::boundary::straining::velocity;
 use crate::engine::lanes::{Eight, Four};
 use crate::engine::lanes::{Isa, Lanes, Meeting};
 use crate::engine::neighbours::Slot;
-use crate::engine::particles::Row;
+use crate::engine::particles::{FAR, Row};
 use crate::engine::wall_contact::WallTouch;
 
 /// How far ahead rows are asked for [contacts].
 const AHEAD: usize = 64;
-
-/// Fewer particles than this stay near the processor by themselves.
-const FAR: usize = 8192;
 
 /// Columns and pointers of a pass, for the threads of one evaluation.
 pub(super) struct Kernel<'a, L: Law> {

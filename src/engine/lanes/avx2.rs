@@ -189,11 +189,6 @@ impl Quad for Four {
     }
 
     #[inline(always)]
-    fn joined(self, other: Self) -> Self {
-        Self(unsafe { _mm256_permute2f128_pd::<0x20>(self.0, other.0) })
-    }
-
-    #[inline(always)]
     fn spread(self) -> [Self; 2] {
         unsafe {
             let first = _mm256_permute4x64_pd::<0b00_00_00_00>(self.0);

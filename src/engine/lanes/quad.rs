@@ -15,8 +15,6 @@ pub trait Quad: Lanes {
     fn transposed(rows: [Self; 4]) -> [Self; 4];
     /// The first three numbers, and the last of another.
     fn with_last(self, other: Self) -> Self;
-    /// The first two numbers, and the first two of another.
-    fn joined(self, other: Self) -> Self;
     /// The first number everywhere, and the second.
     fn spread(self) -> [Self; 2];
     /// First and second number exchanged, and third and fourth.
@@ -203,11 +201,6 @@ impl Quad for Plain {
     #[inline(always)]
     fn with_last(self, other: Self) -> Self {
         Self([self.0[0], self.0[1], self.0[2], other.0[3]])
-    }
-
-    #[inline(always)]
-    fn joined(self, other: Self) -> Self {
-        Self([self.0[0], self.0[1], other.0[0], other.0[1]])
     }
 
     #[inline(always)]

@@ -13,10 +13,7 @@ use super::{Inputs, Stretch, Sums, Watch};
 #[cfg(target_arch = "x86_64")]
 use crate::engine::lanes::Four;
 use crate::engine::lanes::{Isa, Plain, Quad};
-use crate::engine::particles::{Row, Sum};
-
-/// Fewer particles than this stay near the processor by themselves.
-const FAR: usize = 8192;
+use crate::engine::particles::{FAR, Row, Sum};
 
 /// Sums the contact forces (unless that was done) and moves every particle of a stretch.
 pub(super) fn advance(inputs: &Inputs<'_>, stretch: &mut Stretch<'_>) -> Watch {
@@ -77,7 +74,7 @@ fn with_four<D: Drag, const SUM: u8, const MOVE: bool>(
 struct Seen<Q> {
     /// Velocity and radius before.
     before: Q,
-    /// Change of the force, and two parts of the scale that it is judged by.
+    /// Change of the force, and last the scale that it is judged by.
     change: Q,
     /// Its answer to force.
     gain: Q,
