@@ -14,7 +14,7 @@ mod grading;
 mod import;
 mod keys;
 mod lattice;
-mod order;
+pub(super) mod order;
 mod outcome;
 mod place;
 mod region;
@@ -146,7 +146,10 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
         at_random(reader, draft, source, place.as_ref())
     };
     let discs = discs.map(|mut discs| {
-        order::order(&mut discs);
+        // What was placed at random is in no order that anybody could mean.
+        if source != "lattice" || discs.len() >= order::MANY {
+            order::order(&mut discs, |disc| disc.at);
+        }
         discs
     });
     let particle = |disc: Disc| ParticleSetup {

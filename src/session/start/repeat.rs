@@ -4,9 +4,10 @@
 use super::trouble;
 use crate::engine::boundary::{Boundary, Kind};
 use crate::engine::setup::ParticleSetup;
-use crate::scene::{Sample, Trouble};
+use crate::scene::{Sample, Trouble, order_along_curve};
 
-/// The sample so often along its two edges; particles are numbered copy by copy, the first edge first.
+/// The sample so often along its two edges; particles are numbered along a
+/// curve through all copies.
 pub(super) fn repeated(sample: Sample, [across, up]: [u32; 2]) -> Result<Sample, Trouble> {
     if [across, up] == [1, 1] {
         return Ok(sample);
@@ -39,6 +40,8 @@ pub(super) fn repeated(sample: Sample, [across, up]: [u32; 2]) -> Result<Sample,
             ..particle.clone()
         })
     });
+    let mut all: Vec<ParticleSetup> = all.collect();
+    order_along_curve(&mut all, |particle| particle.at);
     let particles = (1..).zip(all).collect();
     let mut cell = cell.clone();
     cell.edges = [
