@@ -140,7 +140,7 @@ const KEYS: &[Key] = &[
             "repeat",
             Absent::Said("[1, 1]"),
             "how often a sample in a periodic cell is repeated along its two edges; particles are \
-             numbered copy by copy",
+             numbered along a curve through all copies",
         )
     },
     text(

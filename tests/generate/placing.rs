@@ -26,10 +26,17 @@ fn a_full_circle_of_many_sizes_has_no_contact() {
             .all(|p| inside_circle(p, [0.5, -0.25], 1.0))
     );
     assert!(least_apart(particles) > -ROUNDING);
-    assert!(
-        particles.is_sorted_by(|a, b| a.radius >= b.radius),
-        "largest first"
-    );
+    // The largest come first: after as many as fit of a size there is no room for a larger one.
+    assert_eq!(scene.generated[0].shortfall(), None);
+    // Numbers lead from neighbour to neighbour. In the order of placing a step is 0.9 of the radius long, the
+    // mean distance in a unit circle, which is a dozen distances of neighbours.
+    let step = |pair: &[ParticleSetup]| {
+        (pair[0].at[0] - pair[1].at[0]).hypot(pair[0].at[1] - pair[1].at[1])
+    };
+    let way: f64 = particles.windows(2).map(step).sum();
+    let count = particles.len() as f64;
+    let neighbour = (std::f64::consts::PI / count).sqrt();
+    assert!(way < 2.0 * count * neighbour, "{way} {neighbour}");
 }
 
 #[test]

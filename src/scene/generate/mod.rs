@@ -1,7 +1,8 @@
 //! `[[generate]]`: many particles at once, at random without contacts, on a lattice or from a file.
 //!
-//! They are numbered after the listed ones, in the order of the tables; within a table in the order
-//! in which they were placed, largest first, or, 5000 and more, along a curve that fills the region.
+//! They are numbered after the listed ones, in the order of the tables; within a table what was placed
+//! at random along a curve that fills the region, a lattice in its rows or, 5000 sites and more, along
+//! the curve, too, and what is imported as in its file.
 //! What the seed and the number of the table decide is the same on every machine.
 
 mod boxes;

@@ -6,8 +6,7 @@ use crate::engine::boundary::{Boundary, Kind};
 use crate::engine::setup::ParticleSetup;
 use crate::scene::{Sample, Trouble, order_along_curve};
 
-/// The sample so often along its two edges; particles are numbered along a
-/// curve through all copies.
+/// The sample so often along its two edges; particles are numbered along a curve through all copies.
 pub(super) fn repeated(sample: Sample, [across, up]: [u32; 2]) -> Result<Sample, Trouble> {
     if [across, up] == [1, 1] {
         return Ok(sample);
