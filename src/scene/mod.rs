@@ -52,7 +52,7 @@ pub use about::About;
 pub use answer::Answer;
 pub use dump::{Dump, Format as DumpFormat};
 pub use expect::{Band, Differs, Expect};
-pub(crate) use generate::order::order as order_along_curve;
+pub(crate) use generate::order::{MANY as MANY_FOR_ORDER, order as order_along_curve};
 pub use generate::{Around, Generated, SizeGenerated, places};
 pub use history::History;
 pub use reference::{reference_table, reference_text};

@@ -119,6 +119,15 @@ const CASES: &[(&str, &str, [&str; 3])] = &[
         ],
     ),
     (
+        "grading",
+        "order = \"curve\"\ngrading",
+        [
+            "`order` of generate 1 means nothing with `grading`",
+            "g.toml:9:",
+            "leave it out",
+        ],
+    ),
+    (
         "grading = [{ radius = 0.1, count = 3 }]",
         "lattice = \"square\"",
         [

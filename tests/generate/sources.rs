@@ -5,6 +5,7 @@ use std::path::Path;
 
 use crate::program::{ballast, said};
 use crate::{least_apart, preset, scene, scene_with};
+use ballast::engine::setup::ParticleSetup;
 use ballast::scene::Scene;
 
 fn lattice(kind: &str, region: &str, more: &str) -> Scene {
@@ -299,6 +300,57 @@ fn what_export_wrote_is_imported_to_the_same_bits() {
         refused.contains("line 3: there is no material `lead`"),
         "{refused}"
     );
+}
+
+#[test]
+fn an_import_keeps_the_numbers_of_its_file_or_follows_a_curve() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let preset_of = |order: &str| {
+        preset(&format!(
+            "[[generate]]\nmaterial = \"m\"\nimport = \"p.csv\"\n{order}"
+        ))
+    };
+    // A square of 75 by 75 touching discs, its sites in steps of 3371, which shares no factor with 5625.
+    let site = |k: usize| (k * 3371) % 5625;
+    let row = |k: usize| {
+        let (x, y) = (site(k) % 75, site(k) / 75);
+        format!("{x},{y},0.5,{k}\n")
+    };
+    let rows: String = (0..5625).map(row).collect();
+    write(folder.path(), "p.csv", &format!("x,y,radius,angle\n{rows}"));
+    let particles = |order: &str| {
+        write(folder.path(), "g.toml", &preset_of(order));
+        let scene = load(folder.path(), &[]).unwrap_or_else(|why| panic!("{why}"));
+        scene.setup.particles
+    };
+    let check = || {
+        let output = ballast(folder.path(), &["check", "g.toml"]);
+        assert!(output.status.success(), "{}", said(&output));
+        String::from_utf8(output.stdout).expect("it is text")
+    };
+    let poor = "numbers of neighbours differ by";
+    let as_in_file = particles("");
+    assert!((0..).zip(&as_in_file).all(|(k, p)| p.angle == f64::from(k)));
+    let report = check();
+    assert!(report.contains(poor), "{report}");
+    assert_eq!(particles("order = \"file\"\n"), as_in_file);
+    let mut along = particles("order = \"curve\"\n");
+    let report = check();
+    assert!(!report.contains(poor), "{report}");
+    // From number to number hardly a step leads past a neighbour, and all that a row says came along.
+    let step = |pair: &[ParticleSetup]| {
+        (pair[0].at[0] - pair[1].at[0]).abs() + (pair[0].at[1] - pair[1].at[1]).abs()
+    };
+    let way: f64 = along.windows(2).map(step).sum();
+    assert!(way < 1.2 * 5624.0, "{way}");
+    along.sort_by(|a, b| a.angle.total_cmp(&b.angle));
+    assert_eq!(along, as_in_file);
+    // Elsewhere it would be without effect, and other words mean nothing.
+    write(folder.path(), "g.toml", &preset_of("order = \"row\"\n"));
+    let refused = load(folder.path(), &[]).expect_err("no such order");
+    for part in ["`order`", "row", "file", "curve"] {
+        assert!(refused.contains(part), "{part} in {refused}");
+    }
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 mod generated;
 mod modelled;
+mod order;
 mod sizes;
 mod start;
 mod trial;
@@ -45,6 +46,7 @@ pub(super) fn check(options: &Check) -> u8 {
     modelled::describe(&mut report, &scene, world);
     generated::describe(&mut report, &scene);
     sizes::describe(&mut report, &scene, world);
+    order::describe(&mut report, world);
     step(&mut report, world);
     let trial = Trial::of(session);
     trial::describe(&mut report, &scene, &trial);

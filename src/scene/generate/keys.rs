@@ -63,6 +63,17 @@ pub(super) const KEYS: &[Key] = &[
          angle: what `export particles` writes",
     ),
     Key {
+        absent: Absent::Word("file"),
+        ..key(
+            "order",
+            Form::Word(&["file", "curve"]),
+            "-",
+            "how imported particles are numbered: in the order of the file, or along a curve on which \
+             neighbours stay together, for many whose order in the file has nothing to do with their \
+             places",
+        )
+    },
+    Key {
         absent: Absent::Said("required for `lattice`"),
         ..key(
             "radius",

@@ -62,7 +62,7 @@ const SOURCES: [&str; 5] = [
 ];
 
 /// Keys that mean something with some of the sources only.
-const MEANING: [(&str, &[&str]); 7] = [
+const MEANING: [(&str, &[&str]); 8] = [
     (
         "in",
         &["grading", "grading_file", "distribution", "lattice"],
@@ -79,6 +79,7 @@ const MEANING: [(&str, &[&str]); 7] = [
     ("exact", &["grading", "grading_file", "distribution"]),
     ("radius", &["lattice"]),
     ("spacing", &["lattice"]),
+    ("order", &["import"]),
 ];
 
 fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
@@ -106,7 +107,10 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
     let velocity = reader.vector("velocity");
     if source == "import" {
         let imported = import::read(reader, material, velocity.unwrap_or_default(), draft);
-        if let Some(particles) = imported {
+        if let Some(mut particles) = imported {
+            if reader.word("order") == Some("curve") {
+                order::order(&mut particles, |particle| particle.at);
+            }
             let generated = Generated::of(&reader.title, draft, None, &particles);
             draft.generated.push(generated);
             add(draft, reader, particles);

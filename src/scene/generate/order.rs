@@ -3,7 +3,7 @@
 //! per step.
 
 /// Fewer than so many lie in a processor's own memory: they stay in the rows of their lattice.
-pub(super) const MANY: usize = 5_000;
+pub(crate) const MANY: usize = 5_000;
 
 /// The curve passes through 2^16 by 2^16 boxes.
 const BITS: u32 = 16;
