@@ -68,8 +68,8 @@ impl<'a> Gather<'a> {
             use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
             // SAFETY: there is such a particle; asking for memory is harmless, whatever is there.
             unsafe {
-                let [a, b, c, d, ..] = *self.places.add(p + AHEAD);
-                for slot in [a, b, c, d] {
+                let [a, b, c, d, e, ..] = *self.places.add(p + AHEAD);
+                for slot in [a, b, c, d, e] {
                     _mm_prefetch::<_MM_HINT_T0>(self.slots.wrapping_add(slot as usize).cast());
                 }
             }
@@ -97,9 +97,9 @@ impl<'a> Gather<'a> {
             let slot = |k: usize| self.slots.add(*places.add(k) as usize);
             let second = Total::<Q>::of::<SIZE>([slot(0), slot(1)])
                 .and::<SIZE>(slot(2))
-                .and::<SIZE>(slot(3));
-            let first = Total::<Q>::of::<SIZE>([slot(4), slot(5)])
-                .and::<SIZE>(slot(6))
+                .and::<SIZE>(slot(3))
+                .and::<SIZE>(slot(4));
+            let first = Total::<Q>::of::<SIZE>([slot(5), slot(6)])
                 .and::<SIZE>(slot(7))
                 .and::<SIZE>(slot(8))
                 .and::<SIZE>(slot(9));

@@ -7,10 +7,9 @@ use std::ops::Range;
 
 use crate::engine::wall_contact::WallPair;
 
-/// Places for pairs in which a particle is the second body, and for those in which it is the first.
-/// Particles stand along a curve, so some have all their neighbours after them: more than six of these,
-/// or four of those, have two in a hundred.
-const PLACES: [usize; 2] = [4, 6];
+/// Places for pairs in which a particle is the second body, and for those in which it is the first:
+/// more than five of either have six in a thousand.
+const PLACES: [usize; 2] = [5, 5];
 
 /// A last place with this bit says where there are more.
 const MORE: u32 = 1 << 31;
@@ -217,9 +216,9 @@ mod tests {
 
     #[test]
     fn who_has_more_contacts_than_places_finds_them_elsewhere() {
-        // Particle 5 is the second body of 5 pairs, 6 of 4, 7 of 7; 0 is the first of 9.
+        // Particle 5 is the second body of 5 pairs, 6 of 6, 7 of 7; 0 is the first of 9.
         let mut pairs: Vec<[u32; 2]> = (0..5).map(|i| [i, 5]).collect();
-        pairs.extend((0..4).map(|i| [i, 6]));
+        pairs.extend((0..6).map(|i| [i, 6]));
         pairs.extend((0..7).map(|i| [i, 7]));
         pairs.extend((8..14).map(|j| [0, j]));
         pairs.sort_unstable();
@@ -227,8 +226,9 @@ mod tests {
         whose.note(14, &pairs, &[]);
         assert_all_are_found(&whose, 14, &pairs);
         let others = |p: usize, place: usize| whose.others(whose.places()[p][place]);
-        assert_eq!([others(6, 3), others(1, 9)], [None; 2]);
-        assert_eq!(others(7, 3).map(<[u32]>::len), Some(4));
-        assert_eq!(others(0, 9).map(<[u32]>::len), Some(4));
+        assert_eq!([others(5, 4), others(1, 9)], [None; 2]);
+        assert_eq!(others(6, 4).map(<[u32]>::len), Some(2));
+        assert_eq!(others(7, 4).map(<[u32]>::len), Some(3));
+        assert_eq!(others(0, 9).map(<[u32]>::len), Some(5));
     }
 }
