@@ -27,6 +27,7 @@ pub mod plan;
 pub mod restart;
 mod rows;
 pub mod setup;
+mod shares;
 pub mod step;
 pub mod threads;
 pub mod time_step;

@@ -7,8 +7,11 @@ use serde::{Deserialize, Serialize};
 use super::rows::Rows;
 use super::setup::{Body, ParticleSetup};
 
-/// Fewer particles than this stay near the processor by themselves: passes ask for no memory ahead.
-pub(super) const FAR: usize = 8192;
+/// Whether so many particles are far from the processor, so that passes ask for memory ahead: fewer stay
+/// near by themselves, unless the threads of several parts take them from each other.
+pub(super) fn are_far(particles: usize, parts: usize) -> bool {
+    particles > 8192 || parts > 1
+}
 
 /// What the contact and motion passes read and write of one particle: one cache line.
 #[repr(C, align(64))]

@@ -11,6 +11,7 @@ use super::motion::{self, Dragged, Inputs, Sums, Watch};
 use super::neighbours::{Slot, Status};
 use super::particles::{Row, Sum};
 use super::phase::{Phase, passed};
+use super::rows::Rows;
 use super::setup::Gravity;
 use super::threads::Threads;
 use super::time_step::FRACC_WARNING;
@@ -67,6 +68,7 @@ impl World {
 
     fn motion(&mut self) -> Result<(), Fault> {
         let watch = self.pass_over_particles(motion::advance);
+        self.seen.is_current();
         self.note_fracc(&watch);
         self.cycle += 1;
         self.first_kick = false;
@@ -89,7 +91,7 @@ impl World {
 
     pub(super) fn pass_over_particles(
         &mut self,
-        work: impl Fn(Inputs<'_>, &mut [Row], &mut [Sum], &Threads) -> Watch,
+        work: impl Fn(Inputs<'_>, &mut Rows, &mut [Sum], &Threads) -> Watch,
     ) -> Watch {
         let part = self.kick_part();
         let flow = self.flow();
@@ -109,8 +111,11 @@ impl World {
             contacts,
             model,
             threads,
+            boundary,
+            seen,
             ..
         } = self;
+        let cell = boundary.as_ref().and_then(Boundary::cell);
         let inputs = Inputs {
             contacts,
             mobility: &particles.mobility,
@@ -122,6 +127,7 @@ impl World {
             limit: 0.7 * contacts.smallest / self.dt,
             flow,
             drag: Dragged::new(&model.damping, part * self.dt),
+            beyond: cell.map(|cell| seen.ahead(cell)),
             isa: self.isa,
         };
         work(inputs, &mut particles.row, &mut particles.force, threads)

@@ -163,6 +163,15 @@ impl Threads {
         self.run(&mut jobs[..parts], |(first, items)| work(*first, items));
     }
 
+    /// Runs `work` on each of `parts` parts, one per thread, and waits for all.
+    ///
+    /// # Panics
+    /// As [`Self::run`].
+    pub fn split(&self, parts: usize, work: impl Fn(usize) + Sync) {
+        let mut jobs: [usize; MAX_THREADS] = std::array::from_fn(|part| part);
+        self.run(&mut jobs[..parts], |part| work(*part));
+    }
+
     /// Runs `work` on every job, one job per thread, and waits for all.
     ///
     /// # Panics

@@ -1,6 +1,7 @@
 //! Images of particles beyond the edges of a cell, each a row of its own that contacts read.
 
 use super::cell::{Cell, HERE, Image};
+use crate::engine::particles::Row;
 use crate::engine::rows::Rows;
 
 /// Who is seen beyond the edges.
@@ -8,14 +9,11 @@ use crate::engine::rows::Rows;
 pub(in crate::engine) struct Seen {
     /// The two rows of each pair, those of images after all others.
     pub(in crate::engine) pairs: Vec<[u32; 2]>,
-    /// Particle and shift of each image, and the image of the same particle found before it.
-    images: Vec<(u32, Image, u32)>,
-    /// The last image of each particle.
-    last: Vec<u32>,
+    /// Particle and image of each row beyond the edges, ascending.
+    images: Vec<(u32, Image)>,
+    /// Whether these rows stand where they belong now.
+    current: bool,
 }
-
-/// No image.
-const NONE: u32 = u32::MAX;
 
 impl Seen {
     /// The list was made anew: `images[k]` says where the second body of pair k is.
@@ -25,37 +23,68 @@ impl Seen {
         pairs: &[[u32; 2]],
         images: &[Image],
     ) {
-        let particles = rows.len();
+        let particles = rows.len() as u32;
+        let all = || pairs.iter().zip(images);
+        let beyond = all().filter(|(_, image)| **image != HERE);
         self.images.clear();
+        self.images
+            .extend(beyond.map(|(pair, image)| (pair[1], *image)));
+        self.images.sort_unstable();
+        self.images.dedup();
+        let row = |j: u32, image: Image| match self.images.binary_search(&(j, image)) {
+            Ok(place) => particles + place as u32,
+            Err(_) => j,
+        };
         self.pairs.clear();
-        self.last.clear();
-        self.last.resize(particles, NONE);
-        for (&[i, j], &image) in pairs.iter().zip(images) {
-            if image == HERE {
-                self.pairs.push([i, j]);
-                continue;
-            }
-            let mut place = self.last[j as usize];
-            while place != NONE && self.images[place as usize].1 != image {
-                place = self.images[place as usize].2;
-            }
-            if place == NONE {
-                place = self.images.len() as u32;
-                self.images.push((j, image, self.last[j as usize]));
-                self.last[j as usize] = place;
-            }
-            self.pairs.push([i, particles as u32 + place]);
-        }
+        self.pairs.extend(
+            all().map(|(&[i, j], &image)| [i, if image == HERE { j } else { row(j, image) }]),
+        );
         self.pairs.extend(pairs.iter().skip(images.len()));
         rows.show(self.images.len());
+        self.current = false;
     }
 
-    /// Looks at the particles again.
-    pub(in crate::engine) fn look(&self, rows: &mut Rows, cell: &Cell) {
-        let (own, images) = rows.split();
-        for (seen, &(p, image, _)) in images.iter_mut().zip(&self.images) {
-            *seen = own[p as usize];
-            let shift = cell.shift(image);
+    /// Looks at the particles again, unless that was done since they moved.
+    pub(in crate::engine) fn look(&mut self, rows: &mut Rows, cell: &Cell) {
+        if !std::mem::take(&mut self.current) {
+            let (own, images) = rows.split();
+            self.ahead(cell).look(0, own, images);
+        }
+    }
+
+    /// For those who move the particles: they look at once.
+    pub(in crate::engine) fn ahead<'a>(&'a self, cell: &'a Cell) -> Beyond<'a> {
+        Beyond {
+            images: &self.images,
+            cell,
+        }
+    }
+
+    /// That was done.
+    pub(in crate::engine) fn is_current(&mut self) {
+        self.current = true;
+    }
+}
+
+/// Images whose rows are written as soon as their particles have moved.
+#[derive(Clone, Copy)]
+pub(in crate::engine) struct Beyond<'a> {
+    images: &'a [(u32, Image)],
+    cell: &'a Cell,
+}
+
+impl Beyond<'_> {
+    /// How many images there are of particles below `p`.
+    pub(in crate::engine) fn below(&self, p: usize) -> usize {
+        self.images.partition_point(|image| (image.0 as usize) < p)
+    }
+
+    /// Writes the rows of the images of particles from number `first` on.
+    pub(in crate::engine) fn look(&self, first: usize, own: &[Row], rows: &mut [Row]) {
+        let images = &self.images[self.below(first)..];
+        for (seen, &(p, image)) in rows.iter_mut().zip(images) {
+            *seen = own[p as usize - first];
+            let shift = self.cell.shift(image);
             seen.x = [seen.x[0] + shift[0], seen.x[1] + shift[1]];
         }
     }

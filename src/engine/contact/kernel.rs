@@ -22,7 +22,7 @@ use crate::engine::boundary::straining::velocity;
 use crate::engine::lanes::{Eight, Four};
 use crate::engine::lanes::{Isa, Lanes, Meeting};
 use crate::engine::neighbours::Slot;
-use crate::engine::particles::{FAR, Row};
+use crate::engine::particles::Row;
 use crate::engine::wall_contact::WallTouch;
 
 /// How far ahead rows are asked for [contacts].
@@ -39,6 +39,8 @@ pub(super) struct Kernel<'a, L: Law> {
     pub(super) slots: *mut Slot,
     /// How each contact stands, as a byte.
     pub(super) status: *mut u8,
+    /// Whether rows are asked for ahead.
+    pub(super) ask: bool,
 }
 
 // SAFETY: the pointers are to contacts, and each contact is worked on by one thread only.
@@ -109,7 +111,6 @@ impl<L: Law> Kernel<'_, L> {
     #[inline(always)]
     unsafe fn pairs<V: Lanes, const BOOK: bool>(&self, from: usize, to: usize) {
         let mut k = from;
-        let far = self.view.rows.len() > FAR;
         let mut seen = [Geometry::<V>::nowhere(); AT_ONCE];
         // SAFETY: the caller's; blocks end before `to`.
         unsafe {
@@ -117,7 +118,7 @@ impl<L: Law> Kernel<'_, L> {
                 let blocks = ((to - k) / V::COUNT).min(AT_ONCE);
                 for (block, seen) in seen.iter_mut().enumerate().take(blocks) {
                     let k = k + block * V::COUNT;
-                    if far {
+                    if self.ask {
                         self.ask_for(k + AHEAD, V::COUNT);
                     }
                     self.look::<V>(k, seen);

@@ -22,8 +22,9 @@ use crate::engine::boundary::Tensor;
 use crate::engine::lanes::Isa;
 use crate::engine::neighbours::carry::carry;
 use crate::engine::neighbours::{Slot, Status};
-use crate::engine::particles::Row;
-use crate::engine::threads::{MAX_THREADS, Threads, share};
+use crate::engine::particles::{Row, are_far};
+use crate::engine::shares;
+use crate::engine::threads::{Threads, share};
 use crate::engine::wall_contact::{WallPair, WallTouch};
 
 /// What the pass reads.
@@ -168,6 +169,7 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
             "lists of contacts differ in length"
         );
         let isa = view.isa;
+        let parts = threads.parts(total);
         let (memory, whole) = self.memory.columns();
         let kernel = Kernel::<L> {
             view,
@@ -177,19 +179,21 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
             book: self.book.as_mut_ptr(),
             slots: slots.as_mut_ptr(),
             status: status.as_mut_ptr().cast(),
+            ask: are_far(view.rows.len(), parts),
         };
-        let parts = threads.parts(total);
         if parts == 1 {
             // SAFETY: all columns have a place for each contact, and the list names rows there are.
             return unsafe { kernel.run::<BOOK>(0, total, isa) };
         }
-        let mut jobs: [std::ops::Range<usize>; MAX_THREADS] = [const { 0..0 }; MAX_THREADS];
-        for (part, job) in jobs.iter_mut().enumerate().take(parts) {
-            *job = share(total, parts, part);
-        }
-        threads.run(&mut jobs[..parts], |job| {
+        let pairs = view.pairs.len();
+        threads.split(parts, |part| {
+            let own = shares::pairs(pairs, parts, part);
+            let walls = share(total - pairs, parts, part);
             // SAFETY: as above; the stretches do not overlap.
-            unsafe { kernel.run::<BOOK>(job.start, job.end, isa) };
+            unsafe {
+                kernel.run::<BOOK>(own.start, own.end, isa);
+                kernel.run::<BOOK>(pairs + walls.start, pairs + walls.end, isa);
+            }
         });
     }
 

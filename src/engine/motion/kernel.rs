@@ -13,7 +13,7 @@ use super::{Inputs, Stretch, Sums, Watch};
 #[cfg(target_arch = "x86_64")]
 use crate::engine::lanes::Four;
 use crate::engine::lanes::{Isa, Plain, Quad};
-use crate::engine::particles::{FAR, Row, Sum};
+use crate::engine::particles::{Row, Sum};
 
 /// Sums the contact forces (unless that was done) and moves every particle of a stretch.
 pub(super) fn advance(inputs: &Inputs<'_>, stretch: &mut Stretch<'_>) -> Watch {
@@ -115,7 +115,13 @@ fn run<Q: Quad, D: Drag, const SUM: u8, const MOVE: bool>(
     drag: D,
     stretch: &mut Stretch<'_>,
 ) -> Watch {
-    let Stretch { first, rows, force } = stretch;
+    let Stretch {
+        first,
+        rows,
+        force,
+        ask,
+        ..
+    } = stretch;
     let (first, count) = (*first, rows.len());
     let particles = inputs.mobility.len();
     assert!(
@@ -125,14 +131,14 @@ fn run<Q: Quad, D: Drag, const SUM: u8, const MOVE: bool>(
         "columns of particles differ in length"
     );
     let mut all = Loop::<Q, D>::new(inputs, drag);
-    let far = particles > FAR;
+    let ask = *ask;
     let (rows, force) = (rows.as_mut_ptr(), force.as_mut_ptr());
     let mut k = 0;
     // SAFETY: a stretch has so many rows and sums, and its particles have mobilities, constant forces
     // if any, and contacts.
     unsafe {
         while k + 4 <= count {
-            if SUM != DONE && far {
+            if SUM != DONE && ask {
                 for lane in 0..4 {
                     all.gather.ask_for(first + k + lane);
                 }

@@ -10,10 +10,13 @@ mod kernel;
 pub(super) use drag::{Dragged, before, kick};
 
 use super::boundary::Tensor;
+use super::boundary::seen::Beyond;
 use super::lanes::Isa;
 use super::neighbours::list::ContactList;
-use super::particles::{Mobility, Row, Sum};
-use super::threads::{MAX_THREADS, Threads, share};
+use super::particles::{Mobility, Row, Sum, are_far};
+use super::rows::Rows;
+use super::shares;
+use super::threads::{MAX_THREADS, Threads};
 
 /// What the pass noticed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,6 +69,8 @@ pub(super) struct Inputs<'a> {
     /// Strain rate that carries all particles [1/s], and the point at rest in it [m].
     pub(super) flow: Option<(Tensor, [f64; 2])>,
     pub(super) drag: Option<Dragged>,
+    /// Images that are to follow their particles.
+    pub(super) beyond: Option<Beyond<'a>>,
     /// Vector instructions.
     pub(super) isa: Isa,
 }
@@ -88,60 +93,87 @@ struct Stretch<'a> {
     /// Index of its first particle.
     first: usize,
     rows: &'a mut [Row],
+    /// Rows of the images of these particles.
+    images: &'a mut [Row],
     force: &'a mut [Sum],
+    /// Whether slots are asked for ahead.
+    ask: bool,
 }
 
 /// Sums the contact forces (unless that was done) and moves every particle by one step.
 pub(super) fn advance(
     inputs: Inputs<'_>,
-    rows: &mut [Row],
+    rows: &mut Rows,
     force: &mut [Sum],
     threads: &Threads,
 ) -> Watch {
-    in_stretches(rows, force, threads, |stretch| {
-        kernel::advance(&inputs, stretch)
+    in_stretches(&inputs, rows, force, threads, |stretch| {
+        let watch = kernel::advance(&inputs, stretch);
+        if let Some(beyond) = inputs.beyond {
+            beyond.look(stretch.first, stretch.rows, stretch.images);
+        }
+        watch
     })
 }
 
 /// Sums the contact forces only.
 pub(super) fn settle(
     inputs: Inputs<'_>,
-    rows: &mut [Row],
+    rows: &mut Rows,
     force: &mut [Sum],
     threads: &Threads,
 ) -> Watch {
-    in_stretches(rows, force, threads, |stretch| {
+    in_stretches(&inputs, rows, force, threads, |stretch| {
         kernel::sum(&inputs, stretch)
     })
 }
 
 fn in_stretches(
-    rows: &mut [Row],
+    inputs: &Inputs<'_>,
+    rows: &mut Rows,
     force: &mut [Sum],
     threads: &Threads,
     work: impl Fn(&mut Stretch<'_>) -> Watch + Sync,
 ) -> Watch {
+    let (rows, images) = rows.split();
     let total = rows.len();
     let parts = threads.parts(total);
+    let ask = are_far(total, parts);
     let mut rest = Stretch {
         first: 0,
         rows,
+        images,
         force,
+        ask,
     };
     if parts == 1 {
         return work(&mut rest);
     }
     let mut jobs: [Option<(Stretch<'_>, Watch)>; MAX_THREADS] = [const { None }; MAX_THREADS];
     for (part, job) in jobs.iter_mut().enumerate().take(parts) {
-        let n = share(total, parts, part).len();
-        let (rows, rows_rest) = rest.rows.split_at_mut(n);
-        let (force, force_rest) = rest.force.split_at_mut(n);
-        let first = rest.first;
-        *job = Some((Stretch { first, rows, force }, Watch::NOTHING));
+        let own = shares::particles(&inputs.contacts.pairs, total, parts, part);
+        let seen = inputs
+            .beyond
+            .map_or(0, |beyond| beyond.below(own.end) - beyond.below(own.start));
+        let (rows, rows_rest) = rest.rows.split_at_mut(own.len());
+        let (images, images_rest) = rest.images.split_at_mut(seen);
+        let (force, force_rest) = rest.force.split_at_mut(own.len());
+        *job = Some((
+            Stretch {
+                first: own.start,
+                rows,
+                images,
+                force,
+                ask,
+            },
+            Watch::NOTHING,
+        ));
         rest = Stretch {
-            first: first + n,
+            first: own.end,
             rows: rows_rest,
+            images: images_rest,
             force: force_rest,
+            ask,
         };
     }
     threads.run(&mut jobs[..parts], |job| {

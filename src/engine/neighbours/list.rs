@@ -337,9 +337,8 @@ impl ContactList {
         let contact = 2 * pair + size_of::<Slot>() + size_of::<Status>() + place;
         let particle = size_of::<[f64; 2]>() + Whose::BYTES + Grid::BYTES;
         if cell {
-            // Pairs as they are seen; the last image of each particle.
-            let tiling = size_of::<u32>() + Tiling::BYTES;
-            [contact + 2 * image + pair, particle + tiling]
+            // Pairs as they are seen.
+            [contact + 2 * image + pair, particle + Tiling::BYTES]
         } else {
             [contact, particle]
         }
