@@ -39,12 +39,9 @@ impl Particles {
     /// Bytes per particle.
     fn bytes(&self) -> usize {
         let cold =
-            size_of::<(u32, f64, f64, [f64; 2])>() + size_of::<u16>() + size_of::<[bool; 3]>();
-        let body = if self.body.is_empty() {
-            0
-        } else {
-            size_of::<[f64; 2]>()
-        };
-        size_of::<Row>() + size_of::<Mobility>() + size_of::<Sum>() + body + cold
+            size_of::<u32>() + 2 * size_of::<f64>() + size_of::<u16>() + size_of::<[bool; 3]>();
+        let either = [!self.body.is_empty(), !self.applied.is_empty()];
+        let forces = either.map(usize::from).iter().sum::<usize>() * size_of::<[f64; 2]>();
+        size_of::<Row>() + size_of::<Mobility>() + size_of::<Sum>() + forces + cold
     }
 }

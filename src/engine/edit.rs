@@ -46,9 +46,9 @@ impl World {
                 &self.particles.row[j as usize],
             );
             let mut d = [b.x[0] - a.x[0], b.x[1] - a.x[1]];
-            if let (Some(cell), Some(&image)) = (self.cell(), self.contacts.images.get(k)) {
+            if let Some(cell) = self.cell() {
                 // As the row of an image: shifted first.
-                let shift = cell.shift(image);
+                let shift = cell.shift(self.seen.image(k, self.particles.len()));
                 d = [0, 1].map(|k| (b.x[k] + shift[k]) - a.x[k]);
             }
             let distance = (d[0] * d[0] + d[1] * d[1]).sqrt();
@@ -189,7 +189,7 @@ impl World {
     pub fn set_force(&mut self, p: usize, force: [f64; 2]) {
         self.booked(|world| {
             world.keeping_velocities(|world| {
-                world.particles.applied[p] = force;
+                world.particles.apply(p, force);
                 world.weigh();
             });
         });
@@ -241,6 +241,7 @@ impl World {
             world.particles.remove(p);
             world.close_account(p);
             let left = world.contacts.forget(p);
+            world.see();
             world.keep(&left);
             world.rework();
         });
@@ -341,7 +342,7 @@ impl World {
 
     /// Counts the sliding ways of all contacts from zero again; no energy changes.
     pub fn forget_slid(&mut self) {
-        if let Some(pass) = &mut self.pass {
+        if let Some(pass) = &mut self.place.pass {
             pass.forget_slid();
         }
     }

@@ -308,7 +308,7 @@ impl World {
 
     /// Work of applied forces and of whatever holds prescribed velocities, over half a step.
     fn book_driver(&self, ledger: &mut Ledger, p: usize, axes: &[Axis; 3], side: usize) {
-        let applied = self.particles.applied[p];
+        let applied = self.particles.applied(p);
         let mut work = 0.0;
         for (k, axis) in axes.iter().enumerate() {
             if self.particles.fixed[p][k] || axis.gain == 0.0 {

@@ -114,8 +114,8 @@ pub struct Particles {
     pub inertia: Vec<f64>,
     /// Index of the material.
     pub material: Vec<u16>,
-    /// Applied force [N].
-    pub applied: Vec<[f64; 2]>,
+    /// Applied force [N]; empty while nothing was given any.
+    pub(super) applied: Vec<[f64; 2]>,
     /// Which of v1, v2 and spin are prescribed.
     pub fixed: Vec<[bool; 3]>,
 }
@@ -142,11 +142,11 @@ impl Particles {
             self.mass.len(),
             self.inertia.len(),
             self.material.len(),
-            self.applied.len(),
             self.fixed.len(),
         ];
+        let either = [self.body.len(), self.applied.len()];
         columns.iter().all(|&length| length == count)
-            && (self.body.is_empty() || self.body.len() == count)
+            && either.iter().all(|&length| length == 0 || length == count)
             && self.id.is_sorted_by(|a, b| a < b)
             && self.material.iter().all(|&m| usize::from(m) < materials)
     }
@@ -165,7 +165,6 @@ impl Particles {
         self.mass.reserve_exact(count);
         self.inertia.reserve_exact(count);
         self.material.reserve_exact(count);
-        self.applied.reserve_exact(count);
         self.fixed.reserve_exact(count);
     }
 
@@ -182,8 +181,11 @@ impl Particles {
         self.mass.push(mass.mass);
         self.inertia.push(mass.inertia);
         self.material.push(p.material as u16);
-        self.applied.push(p.force);
         self.fixed.push(p.fixed);
+        if !self.applied.is_empty() {
+            self.applied.push([0.0; 2]);
+        }
+        self.apply(self.len() - 1, p.force);
         self.body.clear();
     }
 
@@ -196,9 +198,33 @@ impl Particles {
         self.mass.remove(p);
         self.inertia.remove(p);
         self.material.remove(p);
-        self.applied.remove(p);
+        if !self.applied.is_empty() {
+            self.applied.remove(p);
+        }
         self.fixed.remove(p);
         self.body.clear();
+    }
+
+    /// Force applied to the particle at an index [N].
+    pub fn applied(&self, p: usize) -> [f64; 2] {
+        self.applied.get(p).copied().unwrap_or_default()
+    }
+
+    /// Whether a force is applied to any.
+    pub(super) fn are_pushed(&self) -> bool {
+        self.applied.iter().any(|f| *f != [0.0; 2])
+    }
+
+    /// Applies a force [N] to the particle at an index in place of the one before.
+    pub(super) fn apply(&mut self, p: usize, force: [f64; 2]) {
+        if self.applied.is_empty() {
+            // To the bit: -0 is a force that was given.
+            if force.map(f64::to_bits) == [0; 2] {
+                return;
+            }
+            self.applied.resize(self.len(), [0.0; 2]);
+        }
+        self.applied[p] = force;
     }
 
     /// Whether nothing can move the particle at an index.

@@ -50,7 +50,7 @@ impl World {
             force: if held(p.id[k]) {
                 [0.0; 2]
             } else {
-                p.applied[k]
+                p.applied(k)
             },
             fixed: if held(p.id[k]) {
                 [false; 3]

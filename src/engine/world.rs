@@ -12,6 +12,7 @@ use super::lanes::Isa;
 use super::ledger::Ledger;
 use super::neighbours::list::ContactList;
 use super::origin::far_origin;
+use super::packing::PassPlace;
 use super::pair::PairTable;
 use super::particles::{Inertia, Mobility, Particles};
 use super::phase::Clock;
@@ -60,15 +61,13 @@ pub struct World {
     pub(super) broken: Option<Fault>,
     /// What a change from outside left that no cycle can begin with, until another mends it.
     pub(super) misplaced: Option<Fault>,
-    /// Memory of the contacts, filled only in a checkpoint.
-    pub(super) memory: Vec<u8>,
+    /// The contact pass.
+    pub(super) place: PassPlace,
     #[serde(skip)]
     pub(super) seen: Seen,
     /// Forces of a loaded ring on their way to its particles.
     #[serde(skip)]
     pub(super) loads: Vec<(usize, [f64; 2])>,
-    #[serde(skip)]
-    pub(super) pass: Option<Box<dyn ContactPass>>,
     #[serde(skip)]
     pub(super) threads: Threads,
     #[serde(skip)]
@@ -142,10 +141,9 @@ impl World {
             tol: if tol.is_finite() { tol } else { 1.0 },
             critical_above: f64::INFINITY,
             size,
-            memory: Vec::new(),
+            place: PassPlace::default(),
             seen: Seen::default(),
             loads: Vec::new(),
-            pass: None,
             threads: Threads::team(threads, count),
             isa: Isa::default(),
             clock: None,
@@ -265,15 +263,21 @@ impl World {
     /// # Panics
     /// Never after `build` or `unpack`.
     pub fn pass(&self) -> &dyn ContactPass {
-        self.pass.as_deref().expect("build and unpack make a pass")
+        self.place
+            .pass
+            .as_deref()
+            .expect("build and unpack make a pass")
     }
 
     pub(super) fn take_pass(&mut self) -> Box<dyn ContactPass> {
-        self.pass.take().expect("build and unpack make a pass")
+        self.place
+            .pass
+            .take()
+            .expect("build and unpack make a pass")
     }
 
     pub(super) fn put_pass(&mut self, pass: Box<dyn ContactPass>) {
-        self.pass = Some(pass);
+        self.place.pass = Some(pass);
     }
 
     /// What the scene needs modelled as its materials are now.
@@ -307,11 +311,11 @@ impl World {
         pass.relist(&old, self.contacts.pairs.len(), self.room(), &|k| {
             self.basis(k)
         });
-        if let Some(before) = self.pass.take() {
+        if let Some(before) = self.place.pass.take() {
             pass.take_over(before.as_ref(), &|k| self.geometry(k).overlap);
         }
         self.contacts.rolls = pass.rolling();
-        self.pass = Some(pass);
+        self.place.pass = Some(pass);
         self.weigh();
         self.note_spins();
     }
@@ -411,8 +415,7 @@ impl World {
     pub(super) fn weigh(&mut self) {
         let p = &mut self.particles;
         p.body.clear();
-        let applied = p.applied.iter().any(|f| *f != [0.0; 2]);
-        if self.model.gravity.is_none() && !applied {
+        if self.model.gravity.is_none() && !p.are_pushed() {
             return;
         }
         for k in 0..p.len() {
@@ -433,8 +436,8 @@ impl World {
                     }
                 }
             };
-            p.body
-                .push([m * g[0] + p.applied[k][0], m * g[1] + p.applied[k][1]]);
+            let applied = p.applied(k);
+            p.body.push([m * g[0] + applied[0], m * g[1] + applied[1]]);
         }
     }
 

@@ -14,10 +14,12 @@ use crate::engine::contact_report::Other;
 pub struct Reference {
     /// Cycle at which it was taken.
     pub cycle: u64,
-    /// Particle numbers, ascending.
+    /// Particle numbers, ascending; empty where they are 1, 2, 3 and so on.
     ids: Vec<u32>,
-    /// Position [m] in the coordinates the world computes in, and angle [rad].
-    states: Vec<([f64; 2], f64)>,
+    /// Positions [m] in the coordinates the world computes in.
+    places: Vec<[f64; 2]>,
+    /// Angles [rad]; empty where all are zero.
+    angles: Vec<f64>,
     /// Touching pairs of particles by their numbers, ascending.
     pairs: Vec<[u32; 2]>,
     /// Names of the walls.
@@ -42,6 +44,9 @@ impl Reference {
     pub fn of(world: &World) -> Self {
         let particles = world.particles();
         let id = |p: usize| particles.id[p];
+        let counted = (1..).zip(&particles.id).all(|(k, id)| k == *id);
+        let turned = particles.row.iter().any(|row| row.angle.to_bits() != 0);
+        let angles = particles.row.iter().map(|row| row.angle);
         let (mut pairs, mut at_walls) = (Vec::new(), Vec::new());
         for link in Link::all(world).filter(Link::is_touching) {
             match link.other {
@@ -54,8 +59,13 @@ impl Reference {
         at_walls.sort_unstable();
         Self {
             cycle: world.cycle_number(),
-            ids: particles.id.clone(),
-            states: particles.row.iter().map(|row| (row.x, row.angle)).collect(),
+            ids: if counted {
+                Vec::new()
+            } else {
+                particles.id.clone()
+            },
+            places: particles.row.iter().map(|row| row.x).collect(),
+            angles: if turned { angles.collect() } else { Vec::new() },
             pairs,
             walls: world.walls().iter().map(|wall| wall.name.clone()).collect(),
             at_walls,
@@ -71,7 +81,13 @@ impl Reference {
     /// Position [m], in the coordinates the world computes in, and angle [rad] of a particle then;
     /// `None` for one that is newer.
     pub(super) fn state(&self, id: u32) -> Option<([f64; 2], f64)> {
-        Some(self.states[self.ids.binary_search(&id).ok()?])
+        let p = if self.ids.is_empty() {
+            (id as usize).checked_sub(1)?
+        } else {
+            self.ids.binary_search(&id).ok()?
+        };
+        let angle = self.angles.get(p).copied().unwrap_or_default();
+        Some((*self.places.get(p)?, angle))
     }
 
     /// Displacement [m] and rotation [rad] since then; `None` for a particle that is newer or gone.

@@ -254,7 +254,7 @@ fn particle(world: &mut World, id: u32, change: &ParticleChange) -> Result<Strin
     }
     world.settle();
     let (v, spin) = world.velocity(p);
-    let body = world.particles().applied[p];
+    let body = world.particles().applied(p);
     let mut text = format!(
         "particle {id}: velocity {} m/s, spin {} rad/s",
         vector(v),

@@ -77,19 +77,18 @@ impl Session {
 
     /// Writes a checkpoint whatever becomes of the rows, for instance because their disk is full: the
     /// checkpoint holds them too.
-    pub fn save_state(&mut self, path: &Path) -> Result<(), RunError> {
+    pub fn save_state(&self, path: &Path) -> Result<(), RunError> {
         Ok(self.saving(|state| checkpoint::write(path, state))?)
     }
 
-    pub(super) fn encode(&mut self) -> Result<Vec<u8>, RunError> {
+    pub(super) fn encode(&self) -> Result<Vec<u8>, RunError> {
         self.saving(|state| checkpoint::encode(state))
             .map_err(|fault| RunError::Misfit(fault.to_string()))
     }
 
     /// Hands over what a checkpoint holds.
-    fn saving<R>(&mut self, write: impl FnOnce(&Saving<'_>) -> R) -> R {
-        self.world.pack();
-        let written = write(&Saving {
+    fn saving<R>(&self, write: impl FnOnce(&Saving<'_>) -> R) -> R {
+        write(&Saving {
             journal: &self.journal,
             averages_only: self.averages_only,
             control: &self.control,
@@ -98,9 +97,7 @@ impl Session {
             reference: &self.reference,
             dumped: self.dumped,
             world: &self.world,
-        });
-        self.world.unload();
-        written
+        })
     }
 
     /// Remembers the state at the start of a stage. Not before something was recorded: then the

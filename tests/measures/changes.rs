@@ -65,6 +65,23 @@ fn contacts_break_and_form() {
 }
 
 #[test]
+fn particles_are_known_by_their_numbers_and_angles() {
+    let mut world = three();
+    run(&mut world, 20);
+    // Numbers 1 and 3, turned: not what most references hold.
+    world.delete(1);
+    world.settle();
+    let reference = Reference::of(&world);
+    run(&mut world, 20);
+    let turned = |id| reference.change(&world, id).map(|(_, turned)| turned);
+    assert_eq!([turned(0), turned(2), turned(4)], [None; 3]);
+    for (id, expected) in [(1, 0.5 * 0.2), (3, -1.5 * 0.2)] {
+        let turned = turned(id).expect("it is there");
+        assert!((turned - expected).abs() < 1e-14, "{id}: {turned}");
+    }
+}
+
+#[test]
 fn what_is_gone_has_broken_its_contacts() {
     let mut world = three();
     let reference = Reference::of(&world);

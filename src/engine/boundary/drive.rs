@@ -245,7 +245,7 @@ impl World {
             ));
         }
         for (p, force) in self.loads.drain(..) {
-            particles.applied[p] = force;
+            particles.apply(p, force);
         }
         self.weigh();
     }
@@ -376,7 +376,7 @@ impl World {
                         continue;
                     };
                     world.particles.fixed[p] = fixed;
-                    world.particles.applied[p] = [0.0; 2];
+                    world.particles.apply(p, [0.0; 2]);
                     if fixed[2] {
                         world.particles.row[p].set_spin(0.0);
                     }

@@ -1,6 +1,7 @@
 //! Images of particles beyond the edges of a cell, each a row of its own that contacts read.
 
 use super::cell::{Cell, HERE, Image};
+use crate::engine::neighbours::images::Images;
 use crate::engine::particles::Row;
 use crate::engine::rows::Rows;
 
@@ -16,19 +17,19 @@ pub(in crate::engine) struct Seen {
 }
 
 impl Seen {
-    /// The list was made anew: `images[k]` says where the second body of pair k is.
+    /// The list was made anew, and the second bodies of its pairs are these images.
     pub(in crate::engine) fn relist(
         &mut self,
         rows: &mut Rows,
         pairs: &[[u32; 2]],
-        images: &[Image],
+        images: &Images,
     ) {
         let particles = rows.len() as u32;
-        let all = || pairs.iter().zip(images);
-        let beyond = all().filter(|(_, image)| **image != HERE);
+        let all = || pairs.iter().zip(images.each());
+        let beyond = all().filter(|(_, image)| *image != HERE);
         self.images.clear();
         self.images
-            .extend(beyond.map(|(pair, image)| (pair[1], *image)));
+            .extend(beyond.map(|(pair, image)| (pair[1], image)));
         self.images.sort_unstable();
         self.images.dedup();
         let row = |j: u32, image: Image| match self.images.binary_search(&(j, image)) {
@@ -37,11 +38,16 @@ impl Seen {
         };
         self.pairs.clear();
         self.pairs.extend(
-            all().map(|(&[i, j], &image)| [i, if image == HERE { j } else { row(j, image) }]),
+            all().map(|(&[i, j], image)| [i, if image == HERE { j } else { row(j, image) }]),
         );
-        self.pairs.extend(pairs.iter().skip(images.len()));
         rows.show(self.images.len());
         self.current = false;
+    }
+
+    /// Which image of its second body pair k means, of so many particles.
+    pub(in crate::engine) fn image(&self, k: usize, particles: usize) -> Image {
+        let place = (self.pairs[k][1] as usize).checked_sub(particles);
+        place.map_or(HERE, |place| self.images[place].1)
     }
 
     /// Looks at the particles again, unless that was done since they moved.

@@ -4,6 +4,8 @@
     reason = "reads and writes columns by pointer; each use says what it relies on"
 )]
 
+use std::ops::Range;
+
 use serde::{Serialize, Serializer};
 
 use super::columns::MOST;
@@ -78,15 +80,29 @@ impl<M: Memory> Memories<M> {
         memory.give(&mut to, &mut self.whole[k]);
     }
 
+    /// Those of some contacts, for a checkpoint.
+    pub(super) fn part(&self, contacts: Range<usize>) -> Part<'_, M> {
+        Part {
+            all: self,
+            contacts,
+        }
+    }
+
     /// Bytes per contact.
     pub(super) fn bytes() -> usize {
         M::COLUMNS * size_of::<f64>() + size_of::<M::Whole>()
     }
 }
 
+/// Memories of some contacts.
+pub(super) struct Part<'m, M: Memory> {
+    all: &'m Memories<M>,
+    contacts: Range<usize>,
+}
+
 /// One by one, as a list of memories.
-impl<M: Memory> Serialize for Memories<M> {
+impl<M: Memory> Serialize for Part<'_, M> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq((0..self.len()).map(|k| self.get(k)))
+        serializer.collect_seq(self.contacts.clone().map(|k| self.all.get(k)))
     }
 }

@@ -8,6 +8,7 @@
 )]
 
 use std::any::Any;
+use std::ops::Range;
 
 pub use super::book::Book;
 use super::columns::Parameters;
@@ -106,10 +107,12 @@ pub trait ContactPass: Send + Sync {
     fn forget_slid(&mut self);
     /// Bytes per contact: parameters, memory, bookings.
     fn bytes(&self) -> [usize; 3];
-    /// Memory and bookings for a checkpoint.
-    fn save(&self) -> Vec<u8>;
+    /// Number of contacts.
+    fn count(&self) -> usize;
+    /// Memory and bookings of some contacts for a checkpoint, in place of what is in the buffer.
+    fn save(&self, contacts: Range<usize>, buffer: Vec<u8>) -> postcard::Result<Vec<u8>>;
     /// From a checkpoint; false when the bytes do not fit.
-    fn load(&mut self, bytes: &[u8]) -> bool;
+    fn load(&mut self, contacts: Range<usize>, bytes: &[u8]) -> bool;
 }
 
 /// One law over the list. `BOOK`: energies are booked.
@@ -128,11 +131,6 @@ impl<L: Law, const BOOK: bool> Pass<L, BOOK> {
             memory: Memories::default(),
             book: Vec::new(),
         }
-    }
-
-    /// Number of contacts.
-    fn len(&self) -> usize {
-        self.laws[0].len() + self.laws[1].len()
     }
 
     /// The parameters of a contact.
@@ -159,7 +157,7 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
         status: &mut [Status],
         threads: &Threads,
     ) {
-        let total = self.len();
+        let total = self.count();
         let one_each = [self.memory.len(), status.len()];
         assert!(
             one_each == [total; 2]
@@ -271,7 +269,7 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
 
     fn take_over(&mut self, before: &dyn ContactPass, overlap: &dyn Fn(usize) -> f64) {
         let same = before.as_any().downcast_ref::<Self>();
-        for k in 0..self.len() {
+        for k in 0..self.count() {
             let law = self.law(k);
             let memory = match same {
                 Some(same) => law.refit(&same.law(k), overlap(k), &same.memory.get(k)),
@@ -311,21 +309,34 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
         [self.laws[0].bytes(), Memories::<L::Memo>::bytes(), book]
     }
 
-    fn save(&self) -> Vec<u8> {
-        postcard::to_allocvec(&(&self.memory, &self.book)).unwrap_or_default()
+    fn count(&self) -> usize {
+        self.laws[0].len() + self.laws[1].len()
     }
 
-    fn load(&mut self, bytes: &[u8]) -> bool {
+    fn save(&self, contacts: Range<usize>, mut buffer: Vec<u8>) -> postcard::Result<Vec<u8>> {
+        buffer.clear();
+        let book = if BOOK {
+            &self.book[contacts.clone()]
+        } else {
+            &[]
+        };
+        postcard::to_extend(&(self.memory.part(contacts), book), buffer)
+    }
+
+    fn load(&mut self, contacts: Range<usize>, bytes: &[u8]) -> bool {
         let Ok((memory, book)) = postcard::from_bytes::<(Vec<L::Memo>, Vec<Book>)>(bytes) else {
             return false;
         };
-        if memory.len() != self.len() || (BOOK && book.len() != self.len()) {
+        let count = contacts.len();
+        if memory.len() != count || contacts.end > self.count() || (BOOK && book.len() != count) {
             return false;
         }
-        for (k, memory) in memory.into_iter().enumerate() {
+        for (k, memory) in contacts.clone().zip(memory) {
             self.memory.set(k, memory);
         }
-        self.book = book;
+        if BOOK {
+            self.book[contacts].copy_from_slice(&book);
+        }
         true
     }
 }

@@ -1,5 +1,7 @@
 //! What is kept for each contact follows the list to its new places, within its own buffer.
 
+use std::iter::{Enumerate, Peekable};
+
 /// No place in the old list.
 pub(in crate::engine) const NEW: u32 = u32::MAX;
 
@@ -43,21 +45,24 @@ pub(in crate::engine) fn carry<T: Copy>(
     }
 }
 
-/// For each of the sorted new items, its place among the sorted old ones, or [`NEW`].
-pub(super) fn match_sorted<K: Ord>(
-    [old, new]: [usize; 2],
-    old_key: impl Fn(usize) -> K,
-    new_key: impl Fn(usize) -> K,
-    places: &mut Vec<u32>,
-) {
-    let mut k = 0;
-    for item in 0..new {
-        let wanted = new_key(item);
-        while k < old && old_key(k) < wanted {
-            k += 1;
+/// Looks sorted new items up among sorted old ones.
+pub(super) struct Walk<I: Iterator> {
+    old: Peekable<Enumerate<I>>,
+}
+
+impl<I: Iterator<Item: Ord>> Walk<I> {
+    /// Along these old items.
+    pub(super) fn along(old: I) -> Self {
+        Self {
+            old: old.enumerate().peekable(),
         }
-        let found = k < old && old_key(k) == wanted;
-        places.push(if found { k as u32 } else { NEW });
+    }
+
+    /// The place of the next new item among the old ones, or [`NEW`].
+    pub(super) fn place(&mut self, wanted: &I::Item) -> u32 {
+        while self.old.next_if(|(_, old)| old < wanted).is_some() {}
+        let found = self.old.peek().filter(|(_, old)| old == wanted);
+        found.map_or(NEW, |(k, _)| *k as u32)
     }
 }
 
@@ -68,11 +73,9 @@ mod tests {
 
     #[test]
     fn places_are_found_by_walking() {
-        let mut places = Vec::new();
-        let old = [[0, 1], [0, 3], [2, 5]];
+        let mut old = Walk::along([[0, 1], [0, 3], [2, 5]].into_iter());
         let new = [[0, 2], [0, 3], [2, 5], [3, 4]];
-        match_sorted([3, 4], |k| old[k], |k| new[k], &mut places);
-        assert_eq!(places, [NEW, 1, 2, NEW]);
+        assert_eq!(new.map(|new| old.place(&new)), [NEW, 1, 2, NEW]);
     }
 
     proptest! {

@@ -43,7 +43,6 @@ pub(super) struct Grid {
     starts: Vec<u32>,
     /// Box by box, ascending within a box.
     members: Vec<Spot>,
-    home: Vec<u32>,
 }
 
 /// More doublings of the size than this share the last level.
@@ -53,9 +52,8 @@ const SIZES: usize = 32;
 const ALIKE: f64 = 1.5;
 
 impl Grid {
-    /// Bytes per particle: its spot, its home and room for the boxes it may be given.
-    pub(super) const BYTES: usize =
-        size_of::<Spot>() + size_of::<u32>() + BOXES_PER_PARTICLE * size_of::<u32>();
+    /// Bytes per particle: its spot and room for the boxes it may be given.
+    pub(super) const BYTES: usize = size_of::<Spot>() + BOXES_PER_PARTICLE * size_of::<u32>();
 
     /// Bins so many spots, of which `spot` answers each; pairs nearer than `tol` [m] can then be found.
     pub(super) fn fill(&mut self, count: usize, tol: f64, spot: impl Fn(usize) -> Spot) {
@@ -63,11 +61,8 @@ impl Grid {
         let boxes = self.levels.last().map_or(0, Level::end);
         self.starts.clear();
         self.starts.resize(boxes + 2, 0);
-        self.home.clear();
         for k in 0..count {
-            let Spot { x, radius, .. } = spot(k);
-            let home = self.levels[self.level_of(radius)].cell(self.low, x);
-            self.home.push(home as u32);
+            let home = self.home(&spot(k));
             self.starts[home + 1] += 1;
         }
         for cell in 1..self.starts.len() {
@@ -77,10 +72,18 @@ impl Grid {
         self.members.resize(count, Spot::default());
         for k in (0..count).rev() {
             // Filled from the back: `starts` ends up at the beginning of each box.
-            let end = &mut self.starts[self.home[k] as usize + 1];
+            let spot = spot(k);
+            let home = self.home(&spot);
+            let end = &mut self.starts[home + 1];
             *end -= 1;
-            self.members[*end as usize] = spot(k);
+            self.members[*end as usize] = spot;
         }
+    }
+
+    /// The box of a spot.
+    #[inline(always)]
+    fn home(&self, spot: &Spot) -> usize {
+        self.levels[self.level_of(spot.radius)].cell(self.low, spot.x)
     }
 
     /// Lays the levels.

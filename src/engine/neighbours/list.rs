@@ -2,15 +2,16 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::carry::{NEW, carry, match_sorted};
+use super::carry::{NEW, Walk, carry};
 use super::grid::Grid;
+use super::images::Images;
 use super::party::Party;
 use super::periodic::Tiling;
 use super::search;
 use super::skin::Use;
 use super::whose::Whose;
 use super::{Slot, Status};
-use crate::engine::boundary::cell::{Cell, HERE, Image};
+use crate::engine::boundary::cell::Cell;
 use crate::engine::particles::{Particles, Row};
 use crate::engine::threads::Threads;
 use crate::engine::wall::Wall;
@@ -21,8 +22,8 @@ use crate::engine::wall_contact::{WallPair, WallTouch};
 pub struct ContactList {
     /// Pairs of particle indices, lower first, ascending.
     pub pairs: Vec<[u32; 2]>,
-    /// Which image of the second particle each pair means; empty without a periodic cell.
-    pub images: Vec<Image>,
+    /// Which image of the second particle each pair means.
+    pub(in crate::engine) images: Images,
     /// Pairs of particle and wall, ascending.
     pub walls: Vec<WallPair>,
     /// Where the wall pairs stand now.
@@ -142,11 +143,6 @@ impl ContactList {
         std::mem::take(&mut self.work.old)
     }
 
-    /// Gives the buffers of the rebuild away: the next one gets others.
-    pub(in crate::engine) fn release(&mut self) {
-        self.work = Work::default();
-    }
-
     /// Takes the buffer of [`Self::rebuild`] back.
     pub fn give_back(&mut self, old: Vec<u32>) {
         self.work.old = old;
@@ -155,25 +151,16 @@ impl ContactList {
     /// Slots, status and sides of contacts that were listed before stay what they are.
     fn carry_over(&mut self, [pairs, at_walls]: [usize; 2]) {
         let work = &mut self.work;
-        let found = work.party.found();
         work.old.clear();
         work.old.reserve(pairs + at_walls);
-        let meant = |pairs: &[[u32; 2]], images: &[Image], k: usize| {
-            (pairs[k], images.get(k).copied().unwrap_or(HERE))
-        };
-        match_sorted(
-            [self.pairs.len(), found.pairs.len()],
-            |k| meant(&self.pairs, &self.images, k),
-            |k| meant(&found.pairs, &found.images, k),
-            &mut work.old,
-        );
+        let mut known = Walk::along(self.pairs.iter().copied().zip(self.images.each()));
+        work.party.each(|pair| work.old.push(known.place(&pair)));
+        drop(known);
         let from = work.old.len();
-        match_sorted(
-            [self.walls.len(), work.walls.len()],
-            |k| [self.walls[k].particle, self.walls[k].wall],
-            |k| [work.walls[k].particle, work.walls[k].wall],
-            &mut work.old,
-        );
+        let bodies = |at: &WallPair| [at.particle, at.wall];
+        let mut known = Walk::along(self.walls.iter().map(bodies));
+        let at_wall = work.walls.iter().map(bodies);
+        work.old.extend(at_wall.map(|at| known.place(&at)));
         for (pair, &old) in work.walls.iter_mut().zip(&work.old[from..]) {
             if let Some(before) = self.walls.get(old as usize) {
                 pair.side = before.side;
@@ -191,8 +178,13 @@ impl ContactList {
         carry(&mut self.slots, &work.old, 0, room + 1, |_| Slot::default());
         self.slots.push(Slot::default());
         carry(&mut self.status, &work.old, 0, room, |_| Status::default());
-        std::mem::swap(&mut self.pairs, &mut found.pairs);
-        std::mem::swap(&mut self.images, &mut found.images);
+        self.pairs.clear();
+        self.pairs.reserve(pairs.max(work.party.count()));
+        self.images.clear();
+        work.party.each(|(pair, image)| {
+            self.images.push(self.pairs.len(), image);
+            self.pairs.push(pair);
+        });
         std::mem::swap(&mut self.walls, &mut work.walls);
     }
 
@@ -206,7 +198,7 @@ impl ContactList {
             && self.pairs.iter().flatten().all(|&p| known(p))
             && self.walls.is_sorted_by_key(|wall| wall.particle)
             && (self.walls.iter()).all(|at| known(at.particle) && (at.wall as usize) < walls)
-            && (self.images.is_empty() || self.images.len() == pairs)
+            && self.images.fit(pairs)
             && [self.slots.len(), self.status.len()] == [all + 1, all]
             && self.slots.last() == Some(&Slot::default())
             && self.touches.len() == at_walls;
@@ -317,9 +309,7 @@ impl ContactList {
         let walls = &keep[self.pairs.len()..];
         self.touches = chosen(&self.touches, walls);
         self.walls = chosen(&self.walls, walls);
-        if !self.images.is_empty() {
-            self.images = chosen(&self.images, &keep[..self.pairs.len()]);
-        }
+        self.images = self.images.chosen(&keep[..self.pairs.len()]);
         self.pairs = chosen(&self.pairs, &keep[..self.pairs.len()]);
         self.slots = chosen(&self.slots, &keep);
         self.slots.push(Slot::default());
@@ -329,16 +319,17 @@ impl ContactList {
             .collect()
     }
 
-    /// Bytes of the list per contact and per particle, buffers included, in a periodic cell or not.
+    /// Bytes of the list per contact and per particle, buffers included, in a periodic cell or not;
+    /// pairs that reach over an edge of one are few.
     pub(in crate::engine) fn bytes(cell: bool) -> [usize; 2] {
-        let [pair, image] = [size_of::<[u32; 2]>(), size_of::<Image>()];
+        let pair = size_of::<[u32; 2]>();
         // Two lists of pairs, and the old place of each.
         let place = size_of::<u32>();
         let contact = 2 * pair + size_of::<Slot>() + size_of::<Status>() + place;
         let particle = size_of::<[f64; 2]>() + Whose::BYTES + Grid::BYTES;
         if cell {
             // Pairs as they are seen.
-            [contact + 2 * image + pair, particle + Tiling::BYTES]
+            [contact + pair, particle + Tiling::BYTES]
         } else {
             [contact, particle]
         }

@@ -6,6 +6,7 @@
 pub(super) mod carry;
 mod found;
 mod grid;
+pub(super) mod images;
 mod level;
 pub mod list;
 mod near;

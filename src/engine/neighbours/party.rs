@@ -1,11 +1,11 @@
 //! A search that several threads share: each looks around a stretch of the particles.
 
-use super::found::Found;
+use super::found::{Found, Meant};
 use super::near::Near;
 use crate::engine::boundary::cell::Image;
 use crate::engine::threads::{Threads, share};
 
-/// Who searches, and what was found: the first one's, in the end, is all.
+/// Who searches, and what they found: the first one has all that was found by second bodies.
 #[derive(Debug, Default)]
 pub(super) struct Party(Vec<Searcher>);
 
@@ -26,7 +26,7 @@ impl Party {
         &mut self,
         particles: usize,
         room: usize,
-        [cell, late]: [bool; 2],
+        late: bool,
         threads: &Threads,
         look: impl Fn(&mut Searcher) + Sync,
     ) {
@@ -34,28 +34,46 @@ impl Party {
         if self.0.len() < parts {
             self.0.resize_with(parts, Searcher::default);
         }
+        for searcher in &mut self.0 {
+            searcher.found.clear();
+        }
         for (part, searcher) in self.0.iter_mut().enumerate().take(parts) {
             searcher.stretch = share(particles, parts, part);
             // Sizes and numbers decide who finds how many; what is not needed is not touched.
-            searcher.found.clear(room, cell);
+            searcher.found.early.reserve(room);
             if late {
-                searcher.found.expect_late(room);
+                searcher.found.late.reserve(room);
             }
         }
         threads.run(&mut self.0[..parts], look);
-        if let Some((first, others)) = self.0[..parts].split_first_mut() {
+        if let Some((first, others)) = self.0.split_first_mut() {
+            let all = &mut first.found.late;
             for other in others {
-                first.found.append(&other.found);
+                all.extend_from_slice(&other.found.late);
             }
-            first.found.settle(particles);
+            all.sort_unstable();
         }
     }
 
-    /// What was found.
-    pub(super) fn found(&mut self) -> &mut Found {
-        if self.0.is_empty() {
-            self.0.push(Searcher::default());
+    /// Number of pairs found.
+    pub(super) fn count(&self) -> usize {
+        let late = self.0.first().map_or(0, |first| first.found.late.len());
+        let early = self.0.iter().map(|searcher| searcher.found.early.len());
+        early.sum::<usize>() + late
+    }
+
+    /// Hands over all pairs, ascending.
+    pub(super) fn each(&self, mut take: impl FnMut(Meant)) {
+        let late = self.0.first().map_or(&[][..], |first| &first.found.late);
+        let mut late = late.iter().copied().peekable();
+        for searcher in &self.0 {
+            for early in searcher.found.in_order() {
+                while let Some(before) = late.next_if(|late| *late < early) {
+                    take(before);
+                }
+                take(early);
+            }
         }
-        &mut self.0[0].found
+        late.for_each(take);
     }
 }

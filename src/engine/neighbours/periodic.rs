@@ -7,11 +7,10 @@ use crate::engine::boundary::cell::{Cell, HERE, Image};
 use crate::engine::particles::Row;
 use crate::engine::threads::Threads;
 
-/// Particles at home and, after them, the images near the cell. Buffers are kept between searches.
+/// Which particles have left the cell, and which images of them are near it. Buffers are kept between
+/// searches.
 #[derive(Debug, Default)]
 pub(super) struct Tiling {
-    /// Centres of the particles brought home, then of the images [m].
-    at: Vec<[f64; 2]>,
     /// Particle and shift of each image.
     images: Vec<(u32, Image)>,
     /// Which image of the cell each particle has strayed to.
@@ -20,25 +19,21 @@ pub(super) struct Tiling {
 
 impl Tiling {
     /// Bytes per particle.
-    pub(super) const BYTES: usize = size_of::<[f64; 2]>() + size_of::<Image>();
+    pub(super) const BYTES: usize = size_of::<Image>();
 
     /// Tiles the surroundings of the cell with images, as far as anyone at home within `tol` [m] of
     /// them can be: that depends on the sizes of both.
     fn lay(&mut self, cell: &Cell, rows: &[Row], tol: f64) {
-        self.at.clear();
         self.images.clear();
         self.strayed.clear();
         let mut largest = 0.0f64;
         for row in rows {
-            let image = cell.image(row.x);
-            let shift = cell.shift(image);
-            self.strayed.push(image);
-            self.at.push([row.x[0] - shift[0], row.x[1] - shift[1]]);
+            self.strayed.push(cell.image(row.x));
             largest = largest.max(row.radius);
         }
         let widths = cell.widths();
         for (p, row) in rows.iter().enumerate() {
-            let home = self.at[p];
+            let home = brought_home(cell, row.x, self.strayed[p]);
             let fractions = cell.fractions(home);
             let margin = widths.map(|width| (row.radius + largest + tol) / width);
             let reach = |k: usize| {
@@ -53,8 +48,6 @@ impl Tiling {
                     if [n, m] == HERE || !near {
                         continue;
                     }
-                    let shift = cell.shift([n, m]);
-                    self.at.push([home[0] + shift[0], home[1] + shift[1]]);
                     self.images.push((p as u32, [n, m]));
                 }
             }
@@ -72,24 +65,26 @@ impl Tiling {
         threads: &Threads,
     ) {
         self.lay(cell, rows, tol);
-        let Self {
-            at,
-            images,
-            strayed,
-        } = self;
+        let Self { images, strayed } = self;
         // Particle and shift from home of what is in the boxes.
         let meant = |k: u32| {
             let image = (k as usize).checked_sub(rows.len());
             image.map_or((k, HERE), |image| images[image])
         };
-        let spot = |k: usize| Spot {
-            x: at[k],
-            radius: rows[meant(k as u32).0 as usize].radius,
-            index: k as u32,
+        let spot = |k: usize| {
+            let (p, image) = meant(k as u32);
+            let Row { x, radius, .. } = rows[p as usize];
+            let home = brought_home(cell, x, strayed[p as usize]);
+            let shift = cell.shift(image);
+            Spot {
+                x: [home[0] + shift[0], home[1] + shift[1]],
+                radius,
+                index: k as u32,
+            }
         };
-        grid.fill(at.len(), tol, spot);
+        grid.fill(rows.len() + images.len(), tol, spot);
         let levels = grid.levels.len();
-        party.search(rows.len(), room, [true, levels > 1], threads, |searcher| {
+        party.search(rows.len(), room, levels > 1, threads, |searcher| {
             let Searcher {
                 stretch,
                 near,
@@ -116,17 +111,23 @@ impl Tiling {
                     }
                 }
                 sort_few(partners);
-                // Backwards, so that turned round the images of one partner ascend.
-                for &(j, image) in partners.iter().rev().filter(|(j, _)| *j < a.index) {
-                    found.late([j, a.index], image.map(|n| -n));
-                }
-                for &(j, image) in partners.iter().filter(|(j, _)| *j >= a.index) {
-                    found.pairs.push([a.index, j]);
-                    found.images.push(image);
+                for &(j, image) in &*partners {
+                    if j < a.index {
+                        found.late([j, a.index], image.map(|n| -n));
+                    } else {
+                        found.early([a.index, j], image);
+                    }
                 }
             }
         });
     }
+}
+
+/// The place [m] at home of what has strayed to an image of the cell.
+#[inline(always)]
+fn brought_home(cell: &Cell, x: [f64; 2], strayed: Image) -> [f64; 2] {
+    let shift = cell.shift(strayed);
+    [x[0] - shift[0], x[1] - shift[1]]
 }
 
 #[cfg(test)]
@@ -172,9 +173,8 @@ mod tests {
                     }
                 }
             }
-            let found = party.found();
-            let images = found.images.iter().copied();
-            let found: Vec<_> = found.pairs.iter().copied().zip(images).collect();
+            let mut found = Vec::new();
+            party.each(|pair| found.push(pair));
             prop_assert_eq!(found, all);
         }
     }

@@ -30,7 +30,7 @@ pub(super) fn pairs(
 ) {
     grid.fill(rows.len(), tol, |p| spot(rows, p));
     let levels = grid.levels.len();
-    party.search(rows.len(), room, [false, levels > 1], threads, |searcher| {
+    party.search(rows.len(), room, levels > 1, threads, |searcher| {
         let Searcher {
             stretch,
             near,
@@ -57,7 +57,7 @@ pub(super) fn pairs(
             }
             sort_few(near.indices_mut());
             let pairs = near.indices().iter().map(|&j| [a.index, j]);
-            found.pairs.extend(pairs);
+            found.early.extend(pairs);
         }
     });
 }
@@ -157,8 +157,10 @@ mod tests {
                     }
                 }
             }
-            prop_assert_eq!(&party.found().pairs, &all);
-            prop_assert!(party.found().images.is_empty());
+            let mut found = Vec::new();
+            party.each(|pair| found.push(pair));
+            let here: Vec<_> = all.into_iter().map(|pair| (pair, HERE)).collect();
+            prop_assert_eq!(found, here);
             prop_assert!(equal || rows.len() < 40 || grid.levels.len() > 3);
         }
 

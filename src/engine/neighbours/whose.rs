@@ -38,13 +38,11 @@ pub(in crate::engine) struct Whose {
     walls: Vec<u32>,
     /// What stands where there is no contact.
     nobody: u32,
-    /// Pairs of either kind of each particle, as they are counted and noted.
-    noted: Vec<[u32; 2]>,
 }
 
 impl Whose {
     /// Bytes per particle.
-    pub(super) const BYTES: usize = size_of::<Places>() + size_of::<[u32; 2]>();
+    pub(super) const BYTES: usize = size_of::<Places>();
 
     /// Notes the contacts of so many particles.
     ///
@@ -72,28 +70,28 @@ impl Whose {
         }
     }
 
+    /// Counts pairs first, in the first place of each kind.
     fn make_room(&mut self, particles: usize, pairs: &[[u32; 2]]) {
-        self.noted.clear();
-        self.noted.resize(particles, [0; 2]);
-        for &[i, j] in pairs {
-            for (p, kind) in [(i, 1), (j, 0)] {
-                self.noted[p as usize][kind] += 1;
-            }
-        }
         self.places.clear();
-        self.places
-            .resize(particles, [self.nobody; PLACES[0] + PLACES[1]]);
+        self.places.resize(particles, Places::default());
+        for &[i, j] in pairs {
+            self.places[i as usize][KINDS[1].start] += 1;
+            self.places[j as usize][KINDS[0].start] += 1;
+        }
         self.more.clear();
         // So that a list made again seldom asks for memory.
         self.more.reserve(particles);
-        for (places, noted) in self.places.iter_mut().zip(&mut self.noted) {
-            for (kind, noted) in noted.iter_mut().enumerate() {
-                let count = std::mem::take(noted) as usize;
-                if count > PLACES[kind] {
-                    let others = count + 1 - PLACES[kind];
-                    places[KINDS[kind].end - 1] = MORE | self.more.len() as u32;
-                    self.more.push(others as u32);
-                    self.more.resize(self.more.len() + others, self.nobody);
+        for places in &mut self.places {
+            for kind in KINDS {
+                let places = &mut places[kind];
+                let (count, last) = (places[0] as usize, places.len() - 1);
+                places.fill(self.nobody);
+                if count > places.len() {
+                    places[last] = MORE | self.more.len() as u32;
+                    // As many as were noted so far, and then they.
+                    self.more.push(0);
+                    self.more
+                        .resize(self.more.len() + count - last, self.nobody);
                 }
             }
         }
@@ -101,14 +99,15 @@ impl Whose {
 
     fn enter(&mut self, slot: u32, p: usize, kind: usize) {
         let places = &mut self.places[p][KINDS[kind].clone()];
-        let noted = &mut self.noted[p][kind];
-        let place = *noted as usize;
-        *noted += 1;
-        let last = places.len() - 1;
-        match others(places[last]) {
-            Some(at) if place >= last => self.more[at + 1 + place - last] = slot,
-            _ => places[place] = slot,
+        if let Some(free) = places.iter().position(|&place| place == self.nobody) {
+            places[free] = slot;
+            return;
         }
+        let at =
+            others(places[places.len() - 1]).expect("there is a place for each that was counted");
+        let noted = self.more[at] as usize + 1;
+        self.more[at] = noted as u32;
+        self.more[at + noted] = slot;
     }
 
     /// Places of each particle.

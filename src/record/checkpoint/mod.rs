@@ -32,7 +32,7 @@ use super::error::{Attempt, RecordError};
 use super::whole_file;
 
 /// The format this program writes and reads.
-pub const FORMAT: u32 = 6;
+pub const FORMAT: u32 = 7;
 
 const MAGIC: &[u8; 8] = b"BALLAST\n";
 const HEADER: usize = 24;
@@ -68,8 +68,7 @@ impl From<io::Error> for Failure {
     }
 }
 
-/// Writes `value` to `path`, whole or not at all, as it comes: nowhere do all of its bytes stand in memory
-/// (those of a world but for the memory of its contacts, which it hands over as bytes).
+/// Writes `value` to `path`, whole or not at all, as it comes: nowhere do all of its bytes stand in memory.
 pub fn write<T: Serialize>(path: &Path, value: &T) -> Result<(), RecordError> {
     whole_file::write_with(path, |to| {
         pack(value, to).map_err(|failure| match failure {

@@ -176,10 +176,8 @@ fn gravity(world: &World, fit: &mut Fit) -> String {
 /// Forces that particles were given.
 fn applied(world: &World, fit: &mut Fit) -> String {
     let p = world.particles();
-    let mut forces: Vec<[f64; 2]> = p
-        .applied
-        .iter()
-        .copied()
+    let mut forces: Vec<[f64; 2]> = (0..p.len())
+        .map(|q| p.applied(q))
         .filter(|f| *f != [0.0; 2])
         .collect();
     forces.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
@@ -197,7 +195,7 @@ fn applied(world: &World, fit: &mut Fit) -> String {
     let mut text = String::new();
     for (k, force) in forces.iter().enumerate() {
         let ids: Vec<u32> = (0..p.len())
-            .filter(|&q| p.applied[q] == *force)
+            .filter(|&q| p.applied(q) == *force)
             .map(|q| p.id[q])
             .collect();
         let name = format!("pulled{}", k + 1);

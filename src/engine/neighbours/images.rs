@@ -1,0 +1,77 @@
+//! Which image of its second body each pair means.
+
+use serde::{Deserialize, Serialize};
+
+use crate::engine::boundary::cell::{HERE, Image};
+
+/// Those of a list of pairs: kept only where it is not the body itself, which is where a pair reaches
+/// over an edge of a cell.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub(in crate::engine) struct Images(Vec<(u32, Image)>);
+
+impl Images {
+    /// Without pairs.
+    pub(super) fn clear(&mut self) {
+        self.0.clear();
+    }
+
+    /// Notes that of pair k; pairs come in ascending order.
+    pub(super) fn push(&mut self, k: usize, image: Image) {
+        if image != HERE {
+            self.0.push((k as u32, image));
+        }
+    }
+
+    /// Those of pair 0, pair 1 and so on without end.
+    pub(in crate::engine) fn each(&self) -> impl Iterator<Item = Image> + '_ {
+        let mut rest = self.0.as_slice();
+        (0..).map(move |k| match rest.split_first() {
+            Some((&(pair, image), others)) if pair == k => {
+                rest = others;
+                image
+            }
+            _ => HERE,
+        })
+    }
+
+    /// Of the pairs that are kept, numbered anew.
+    pub(super) fn chosen(&self, keep: &[bool]) -> Self {
+        let mut chosen = Self::default();
+        let kept = keep.iter().zip(self.each()).filter(|(keep, _)| **keep);
+        for (k, (_, image)) in kept.enumerate() {
+            chosen.push(k, image);
+        }
+        chosen
+    }
+
+    /// Whether they are those of so many pairs.
+    pub(super) fn fit(&self, pairs: usize) -> bool {
+        self.0.is_sorted_by(|a, b| a.0 < b.0) && self.0.iter().all(|(k, _)| (*k as usize) < pairs)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn what_is_left_out_is_here(
+            all in prop::collection::vec((any::<bool>(), -1..2i16), 0..20),
+        ) {
+            let (keep, all): (Vec<bool>, Vec<Image>) =
+                all.into_iter().map(|(keep, n)| (keep, [n, 0])).unzip();
+            let mut images = Images::default();
+            all.iter().enumerate().for_each(|(k, &image)| images.push(k, image));
+            prop_assert_eq!(images.each().take(all.len()).collect::<Vec<_>>(), all.clone());
+            let kept = all.iter().zip(&keep).filter(|(_, keep)| **keep);
+            let kept: Vec<Image> = kept.map(|(image, _)| *image).collect();
+            let chosen = images.chosen(&keep).each().take(kept.len()).collect::<Vec<_>>();
+            prop_assert_eq!(chosen, kept);
+            let last = all.iter().rposition(|&image| image != HERE);
+            prop_assert!(images.fit(last.map_or(0, |last| last + 1)));
+            prop_assert!(last.is_none_or(|last| !images.fit(last)));
+        }
+    }
+}
