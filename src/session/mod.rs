@@ -20,10 +20,13 @@ pub mod lammps;
 mod opening;
 pub(crate) mod pictures;
 mod print;
+mod queue;
+mod rate;
 mod reach;
 mod recording;
 mod replay;
 mod save;
+mod save_clock;
 pub mod start;
 mod steer;
 mod tables;
@@ -46,7 +49,7 @@ use crate::engine::World;
 use crate::measure::columns::Names;
 use crate::measure::reference::Reference;
 use crate::measure::sample::Sample;
-use crate::record::checkpoint::Aside;
+use crate::record::checkpoint::{Aside, CheckpointFault};
 use crate::record::history::History;
 use crate::record::journal::{Event, EventKind, Journal, JournalWriter};
 use crate::scene::Scene;
@@ -81,6 +84,10 @@ pub struct Session {
     safe: Option<(u64, Aside)>,
     /// When the next such state is due.
     safe_due: Option<std::time::Instant>,
+    /// Why the last one that could not be kept was not.
+    safe_fault: Option<CheckpointFault>,
+    /// What such a state is put off for.
+    urgent: Option<Box<dyn Fn() -> bool + Send>>,
     /// No such state is wanted.
     expendable: bool,
     /// For tests of what happens then: panic at this cycle.

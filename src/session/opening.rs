@@ -72,6 +72,8 @@ impl Session {
             reference,
             safe: None,
             safe_due: None,
+            safe_fault: None,
+            urgent: None,
             expendable: options.expendable,
             panic_at: None,
         })

@@ -11,7 +11,8 @@ use crate::control::Control;
 use crate::engine::World;
 use crate::language::{Command, Observable};
 use crate::measure::reference::Reference;
-use crate::record::checkpoint::{self, Aside, CheckpointFault};
+use crate::record::checkpoint::{self, AT_ONCE, Aside, CheckpointFault, PutOff};
+use crate::record::error::RecordError;
 use crate::record::journal::{EventKind, Journal};
 use crate::scene::Scene;
 
@@ -78,7 +79,24 @@ impl Session {
     /// Writes a checkpoint whatever becomes of the rows, for instance because their disk is full: the
     /// checkpoint holds them too.
     pub fn save_state(&self, path: &Path) -> Result<(), RunError> {
-        Ok(self.saving(|state| checkpoint::write(path, state))?)
+        Ok(self.saving(|state| checkpoint::write(path, state, AT_ONCE))?)
+    }
+
+    /// As [`Session::save`], unless something more urgent comes up meanwhile; whether it is saved.
+    pub fn save_unless(&mut self, path: &Path, put_off: PutOff<'_>) -> Result<bool, RunError> {
+        self.hand_over()?;
+        match self.saving(|state| checkpoint::write(path, state, put_off)) {
+            Err(RecordError::Checkpoint {
+                fault: CheckpointFault::PutOff,
+                ..
+            }) => Ok(false),
+            saved => Ok(saved.map(|()| true)?),
+        }
+    }
+
+    /// Good states that are kept at times are put off while this says so.
+    pub fn keep_unless(&mut self, urgent: impl Fn() -> bool + Send + 'static) {
+        self.urgent = Some(Box::new(urgent));
     }
 
     pub(super) fn encode(&self) -> Result<Vec<u8>, RunError> {
@@ -103,15 +121,34 @@ impl Session {
     /// Remembers the state at the start of a stage. Not before something was recorded: then the
     /// preset itself is the way back.
     pub(super) fn keep_safe(&mut self) {
+        self.keep_safe_unless(AT_ONCE);
+    }
+
+    /// Answers whether it was put off.
+    fn keep_safe_unless(&mut self, put_off: PutOff<'_>) -> bool {
         let cycle = self.world.cycle_number();
         if cycle == 0 || self.world.fault().is_some() || self.expendable {
-            return;
+            return false;
         }
         let beside = self.dump_stem.clone();
         let folder = beside.as_deref().and_then(Path::parent);
         // The old one stays until the new one is whole.
-        if let Ok(state) = self.saving(|state| Aside::of(state, folder)) {
-            self.safe = Some((cycle, state));
+        match self.saving(|state| Aside::of(state, folder, put_off)) {
+            Ok(state) => self.safe = Some((cycle, state)),
+            Err(CheckpointFault::PutOff) => return true,
+            Err(fault) => self.tell_once(&fault),
+        }
+        false
+    }
+
+    /// Says that no good state could be kept; what is so every two seconds is said once.
+    fn tell_once(&mut self, fault: &CheckpointFault) {
+        if self.safe_fault.as_ref() != Some(fault) {
+            let remedy = fault.remedy();
+            self.notices.push(format!(
+                "no state to go back to after a fault could be kept: {fault}; {remedy}"
+            ));
+            self.safe_fault = Some(fault.clone());
         }
     }
 
@@ -120,8 +157,11 @@ impl Session {
     pub(super) fn keep_safe_at_times(&mut self) {
         if self.safe_due.is_none_or(|due| Instant::now() >= due) {
             let start = Instant::now();
-            self.keep_safe();
-            let pause = (100 * start.elapsed()).max(Duration::from_secs(2));
+            let urgent = self.urgent.take();
+            let put_off = self.keep_safe_unless(urgent.as_deref().map_or(AT_ONCE, |urgent| urgent));
+            self.urgent = urgent;
+            let seldom = if put_off { 10 } else { 100 };
+            let pause = (seldom * start.elapsed()).max(Duration::from_secs(2));
             self.safe_due = Some(Instant::now() + pause);
         }
     }
@@ -207,6 +247,8 @@ impl Session {
             reference,
             safe: None,
             safe_due: None,
+            safe_fault: None,
+            urgent: None,
             expendable: false,
             panic_at: None,
         })

@@ -6,29 +6,26 @@
 use std::io::Write;
 use std::os::unix::net::UnixStream;
 use std::path::PathBuf;
-use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use super::frames::{Frame, Shown, Wants};
+use super::queue::{Giver, Taker, Urgent, Waiting, channel};
+use super::rate::Rate;
+use super::save_clock::SaveClock;
 use super::{Budget, Progress, Refusal, Reply, Request, RunError, Session};
 use crate::measure::columns::Partner;
 
 /// Length of a batch: short enough to answer keys at once.
 const BATCH: Duration = Duration::from_millis(5);
 
-/// The state is saved this often while cycles run.
-const SAVE: Duration = Duration::from_secs(60);
-
 /// While cycles run, a frame comes so many times later than what the last one took.
 const FRAMES: u32 = 4;
 
 /// But no later than this, or than what the last one took: cycles get half of the time at least.
 const LATE: Duration = Duration::from_millis(120);
-
-/// The rate shown is that of the last so much time.
-const RATE_WINDOW: Duration = Duration::from_millis(500);
 
 /// What the screen asks of the worker.
 pub enum Order {
@@ -54,6 +51,13 @@ pub enum Order {
     Refresh,
     /// Save the state and end.
     Stop,
+}
+
+impl Urgent for Order {
+    /// What is seen of a moving assembly changes by itself, too: nobody waits for that.
+    fn is_urgent(&self) -> bool {
+        !matches!(self, Self::Wants(_))
+    }
 }
 
 /// What the worker tells the screen.
@@ -90,7 +94,7 @@ pub struct Keep {
 
 /// The screen's end.
 pub struct Worker {
-    orders: Sender<Order>,
+    orders: Giver<Order>,
     reports: Receiver<Report>,
     mailbox: Mailbox,
     thread: Option<JoinHandle<Box<Session>>>,
@@ -106,10 +110,10 @@ impl Worker {
         wake: UnixStream,
     ) -> std::io::Result<Self> {
         let (orders, inbox) = channel();
-        let (outbox, reports) = channel();
+        let (outbox, reports) = mpsc::channel();
         let mailbox: Mailbox = Arc::default();
         let desk = Desk {
-            session: Box::new(session),
+            session: attentive(Box::new(session), inbox.waiting()),
             keep,
             inbox,
             outbox,
@@ -122,7 +126,7 @@ impl Worker {
             wants: Wants::default(),
             shown: Shown::default(),
             rate: Rate::default(),
-            saved: Instant::now(),
+            clock: SaveClock::new(Instant::now()),
             saved_cycle: None,
             posted: None,
         };
@@ -167,38 +171,22 @@ impl Worker {
     }
 }
 
-/// Cycles per second of the last moments.
-#[derive(Debug, Default)]
-struct Rate {
-    since: Option<(Instant, u64)>,
-    value: f64,
-}
-
-impl Rate {
-    fn update(&mut self, cycle: u64, running: bool) -> f64 {
-        let now = Instant::now();
-        match self.since {
-            Some((then, first)) if now - then >= RATE_WINDOW => {
-                self.value = cycle.saturating_sub(first) as f64 / (now - then).as_secs_f64();
-                self.since = Some((now, cycle));
-            }
-            None => self.since = Some((now, cycle)),
-            Some(_) => {}
-        }
-        if running { self.value } else { 0.0 }
-    }
-}
-
 /// How long cycles run after a frame that took so long.
 fn pause(took: Duration) -> Duration {
     (FRAMES * took).min(LATE.max(took))
+}
+
+/// The session, which keeps no good state while orders wait.
+fn attentive(mut session: Box<Session>, waiting: Waiting) -> Box<Session> {
+    session.keep_unless(move || waiting.any());
+    session
 }
 
 /// The worker's own end.
 struct Desk {
     session: Box<Session>,
     keep: Option<Keep>,
-    inbox: Receiver<Order>,
+    inbox: Taker<Order>,
     outbox: Sender<Report>,
     mailbox: Mailbox,
     wake: UnixStream,
@@ -211,7 +199,7 @@ struct Desk {
     wants: Wants,
     shown: Shown,
     rate: Rate,
-    saved: Instant,
+    clock: SaveClock,
     saved_cycle: Option<u64>,
     /// When the last frame was done, and how long it took; nothing after an order, whose answer the
     /// screen waits for.
@@ -244,8 +232,8 @@ impl Desk {
             let order = if self.running {
                 match self.inbox.try_recv() {
                     Ok(order) => order,
-                    Err(std::sync::mpsc::TryRecvError::Empty) => return true,
-                    Err(std::sync::mpsc::TryRecvError::Disconnected) => return false,
+                    Err(mpsc::TryRecvError::Empty) => return true,
+                    Err(mpsc::TryRecvError::Disconnected) => return false,
                 }
             } else {
                 // A frame that found the mailbox full goes out as soon as it is empty.
@@ -285,7 +273,7 @@ impl Desk {
                 self.close();
                 self.keep = keep;
                 self.running = false;
-                self.session = session;
+                self.session = attentive(session, self.inbox.waiting());
                 self.shown = Shown::default();
                 self.rate = Rate::default();
                 self.pace = pace;
@@ -351,18 +339,24 @@ impl Desk {
                     .min(Duration::from_millis(40)),
             );
         }
-        if self.saved.elapsed() >= SAVE {
-            self.save();
+        let now = Instant::now();
+        if self.clock.is_due(now) {
+            if self.save(self.clock.is_late(now)) {
+                self.clock = SaveClock::new(now);
+            } else {
+                self.clock.put_off(Instant::now(), now.elapsed());
+            }
         }
     }
 
     fn fail(&mut self, error: &RunError) {
         self.running = false;
         let mut message = error.to_string();
-        if let Some(keep) = &self.keep
-            && let Ok(Some(way)) = self.session.way_back(&keep.checkpoint)
-        {
-            message.push_str(&format!("; {way}"));
+        if let Some(keep) = &self.keep {
+            match self.session.way_back(&keep.checkpoint) {
+                Ok(way) => message.extend(way.map(|way| format!("; {way}"))),
+                Err(error) => message.push_str(&format!("; there is no way back: {error}")),
+            }
         }
         self.tell(Report::Failed(message));
     }
@@ -370,13 +364,18 @@ impl Desk {
     /// A fault of the program itself: keeps what can be kept.
     fn fall(&mut self, panic: &(dyn std::any::Any + Send)) {
         let text = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
-        let text = text
+        let mut text = text
             .or_else(|| panic.downcast_ref::<String>().cloned())
             .unwrap_or_default();
         if let Some(keep) = &self.keep {
             // The journal is complete in any case; the state at the start of the stage is whole.
-            drop(self.session.flush());
-            drop(self.session.save_safe(&keep.checkpoint));
+            let kept = [
+                self.session.flush(),
+                self.session.save_safe(&keep.checkpoint).map(drop),
+            ];
+            for error in kept.into_iter().filter_map(Result::err) {
+                text.push_str(&format!("; {error}"));
+            }
         }
         self.tell(Report::Failed(text));
     }
@@ -442,31 +441,32 @@ impl Desk {
 
     /// Saves the state, then ends the journal: a replay has to know how far the run went.
     fn close(&mut self) {
-        self.save();
+        self.save(true);
         if let Err(error) = self.session.finish() {
             self.tell(Report::Notice(error.to_string()));
         }
     }
 
-    /// Saves the state beside the journal, if cycles have passed since.
-    fn save(&mut self) {
-        self.saved = Instant::now();
+    /// Saves the state beside the journal, if cycles have passed since; false if an order came between,
+    /// which it lets happen unless it is to be done `anyway`.
+    fn save(&mut self, anyway: bool) -> bool {
         let cycle = self.session.world().cycle_number();
         let Some(keep) = self.keep.clone() else {
-            return;
+            return true;
         };
         // Half a cycle must not take the place of the good state that is there.
         if self.saved_cycle == Some(cycle) || cycle == 0 || self.session.world().is_broken() {
-            return;
+            return true;
         }
-        match self
-            .session
-            .save(&keep.checkpoint)
-            .and_then(|()| self.session.flush())
-        {
-            Ok(()) => self.saved_cycle = Some(cycle),
+        let waiting = self.inbox.waiting();
+        let ordered = || !anyway && waiting.any();
+        let saved = self.session.save_unless(&keep.checkpoint, &ordered);
+        match saved.and_then(|saved| saved.then(|| self.session.flush()).transpose()) {
+            Ok(None) => return false,
+            Ok(Some(())) => self.saved_cycle = Some(cycle),
             Err(error) => self.tell(Report::Notice(error.to_string())),
         }
+        true
     }
 }
 

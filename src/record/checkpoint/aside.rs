@@ -8,7 +8,7 @@ use serde::Serialize;
 use tempfile::SpooledTempFile;
 
 use super::packing::pack;
-use super::{Attempt, CheckpointFault, Failure, RecordError};
+use super::{Attempt, CheckpointFault, Failure, PutOff, RecordError};
 use crate::record::whole_file;
 
 /// What stays in memory at most [bytes].
@@ -21,16 +21,20 @@ pub struct Aside(SpooledTempFile);
 impl Aside {
     /// Of a value. A large one goes to the disk that holds `folder`; where that is not known, or has no
     /// room, to memory.
-    pub fn of<T: Serialize>(value: &T, folder: Option<&Path>) -> Result<Self, CheckpointFault> {
+    pub fn of<T: Serialize>(
+        value: &T,
+        folder: Option<&Path>,
+        put_off: PutOff<'_>,
+    ) -> Result<Self, CheckpointFault> {
         let on_disk = folder.map(|folder| {
             // A path without a folder is one in the current folder.
             let here = folder.as_os_str().is_empty();
             let folder = if here { Path::new(".") } else { folder };
-            Self::filled(value, tempfile::spooled_tempfile_in(SMALL, folder))
+            Self::filled(value, tempfile::spooled_tempfile_in(SMALL, folder), put_off)
         });
         let kept = match on_disk {
             Some(Err(Failure::Io(_))) | None => {
-                Self::filled(value, tempfile::spooled_tempfile(usize::MAX))
+                Self::filled(value, tempfile::spooled_tempfile(usize::MAX), put_off)
             }
             Some(kept) => kept,
         };
@@ -40,8 +44,12 @@ impl Aside {
         })
     }
 
-    fn filled<T: Serialize>(value: &T, mut to: SpooledTempFile) -> Result<Self, Failure> {
-        pack(value, &mut to)?;
+    fn filled<T: Serialize>(
+        value: &T,
+        mut to: SpooledTempFile,
+        put_off: PutOff<'_>,
+    ) -> Result<Self, Failure> {
+        pack(value, &mut to, put_off)?;
         Ok(Self(to))
     }
 
@@ -73,7 +81,7 @@ impl Aside {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::record::checkpoint::{decode, encode, read};
+    use crate::record::checkpoint::{AT_ONCE, decode, encode, read};
 
     /// More than stays in memory, of a kind that no compressor makes smaller.
     fn large() -> Vec<u64> {
@@ -96,7 +104,7 @@ mod tests {
         for (value, on_disk) in [(vec![1, 2, 3], false), (large(), true)] {
             let bytes = encode(&value).unwrap();
             for place in [Some(folder.path()), None] {
-                let mut aside = Aside::of(&value, place).unwrap();
+                let mut aside = Aside::of(&value, place, AT_ONCE).unwrap();
                 assert_eq!(aside.is_on_disk(), on_disk && place.is_some());
                 let names = std::fs::read_dir(folder.path()).unwrap().count();
                 assert_eq!(names, 0, "it has a name");
@@ -116,7 +124,7 @@ mod tests {
     #[test]
     fn where_no_file_can_be_made_memory_keeps_it() {
         let folder = tempfile::tempdir().unwrap();
-        let mut aside = Aside::of(&large(), Some(&folder.path().join("no"))).unwrap();
+        let mut aside = Aside::of(&large(), Some(&folder.path().join("no")), AT_ONCE).unwrap();
         assert!(!aside.is_on_disk());
         let path = folder.path().join("state.ballast");
         aside.write(&path).unwrap();

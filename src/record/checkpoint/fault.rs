@@ -40,6 +40,9 @@ pub enum CheckpointFault {
     /// Undamaged, but not the expected value.
     #[error("the checkpoint is undamaged but its content cannot be used ({0})")]
     Content(String),
+    /// Something more urgent came up while it was written.
+    #[error("writing the checkpoint was put off")]
+    PutOff,
     /// The value has no binary form.
     #[error("the state cannot be put into a checkpoint ({0})")]
     Unwritable(String),
@@ -57,6 +60,7 @@ impl CheckpointFault {
                 "use an earlier copy, or replay the journal beside it"
             }
             Self::TooLarge { .. } => "use a smaller scene, or replay the journal beside it",
+            Self::PutOff => "save again",
             Self::Unwritable(_) => "this is a fault of the program: please report it",
         }
     }

@@ -68,10 +68,16 @@ impl From<io::Error> for Failure {
     }
 }
 
+/// Asked again and again while a checkpoint is written; true ends that with [`CheckpointFault::PutOff`].
+pub type PutOff<'a> = &'a dyn Fn() -> bool;
+
+/// Nothing is more urgent.
+pub const AT_ONCE: PutOff<'static> = &|| false;
+
 /// Writes `value` to `path`, whole or not at all, as it comes: nowhere do all of its bytes stand in memory.
-pub fn write<T: Serialize>(path: &Path, value: &T) -> Result<(), RecordError> {
+pub fn write<T: Serialize>(path: &Path, value: &T, put_off: PutOff<'_>) -> Result<(), RecordError> {
     whole_file::write_with(path, |to| {
-        pack(value, to).map_err(|failure| match failure {
+        pack(value, to, put_off).map_err(|failure| match failure {
             Failure::Fault(fault) => named(path, fault),
             Failure::Io(error) => RecordError::new(path, Attempt::Write, error),
         })
@@ -92,7 +98,7 @@ pub fn read<T: DeserializeOwned>(path: &Path) -> Result<T, RecordError> {
 /// The bytes of a checkpoint.
 pub fn encode<T: Serialize>(value: &T) -> Result<Vec<u8>, CheckpointFault> {
     let mut bytes = Cursor::new(Vec::new());
-    match pack(value, &mut bytes) {
+    match pack(value, &mut bytes, AT_ONCE) {
         Ok(()) => Ok(bytes.into_inner()),
         Err(Failure::Fault(fault)) => Err(fault),
         Err(Failure::Io(error)) => Err(CheckpointFault::Unwritable(error.to_string())),
@@ -247,11 +253,34 @@ mod tests {
                 x: vec![odd, -0.0],
                 ..state()
             },
+            AT_ONCE,
         )
         .unwrap();
         let back: State = read(&path).unwrap();
         let bits: Vec<u64> = back.x.iter().map(|x| x.to_bits()).collect();
         assert_eq!(bits, [odd.to_bits(), (-0.0_f64).to_bits()]);
+    }
+
+    #[test]
+    fn what_is_put_off_leaves_what_was_there() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("state.ballast");
+        // More than goes through at a time.
+        let large: Vec<u64> = (0..100_000).collect();
+        for old in [None, Some(&large)] {
+            if let Some(old) = old {
+                write(&path, old, AT_ONCE).unwrap();
+            }
+            let asked = std::cell::Cell::new(0);
+            let second = || asked.replace(asked.get() + 1) > 0;
+            let fault = write(&path, &large[1..].to_vec(), &second).unwrap_err();
+            let fault = fault.to_string();
+            assert!(fault.contains("was put off"), "{fault}");
+            assert_eq!(asked.get(), 2);
+            let left = fs::read_dir(folder.path()).unwrap().count();
+            assert_eq!(left, usize::from(old.is_some()));
+            assert_eq!(read::<Vec<u64>>(&path).ok().as_ref(), old);
+        }
     }
 
     #[test]
