@@ -73,7 +73,11 @@ impl World {
 
     /// Normal and tangential force of contact k as it acts, dashpots included.
     pub fn reaction(&self, k: usize) -> Reaction {
-        let e = self.geometry(k).e;
+        self.reaction_along(k, self.geometry(k).e)
+    }
+
+    /// The same where its normal is known.
+    pub fn reaction_along(&self, k: usize, e: [f64; 2]) -> Reaction {
         let Slot([fx, fy, ..]) = self.contacts.slots[k];
         if self.contacts.status[k] == Status::Apart {
             return Reaction::default();

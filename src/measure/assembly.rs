@@ -47,7 +47,9 @@ impl Assembly {
         // Particles of a ring overlap each other by any amount: what they press with balances nothing.
         let (mut carried, mut carrying, mut max_carried) = (0.0, 0.0, 0f64);
         let driven = |p: usize| world.particles().fixed[p][..2] == [true; 2];
+        let mut degrees = vec![0u32; world.particles().len()];
         for link in Link::all(world).filter(Link::is_touching) {
+            count_ends(&link, &mut degrees);
             let weight = link.weight(inside);
             if weight == 0.0 {
                 continue;
@@ -68,11 +70,18 @@ impl Assembly {
         }
         let mean_force = ratio(sum, contacts);
         let (mean_rest, max_rest) = out_of_balance(world, inside);
-        let degrees = degrees(world);
-        let own = || degrees.iter().zip(inside).filter(|(_, inside)| **inside);
-        let with = |n: u32| own().filter(|&(&d, _)| d == n).count() as f64;
-        let ends = own().map(|(&d, _)| f64::from(d)).sum::<f64>();
-        let (n, n0, n1) = (own().count() as f64, with(0), with(1));
+        // Particles, those with no contact and with one, and ends of contacts.
+        let mut counts = [0u64; 4];
+        for (&degree, &inside) in degrees.iter().zip(inside) {
+            let of = [
+                1,
+                u64::from(degree == 0),
+                u64::from(degree == 1),
+                u64::from(degree),
+            ];
+            counts = std::array::from_fn(|k| counts[k] + u64::from(inside) * of[k]);
+        }
+        let [n, n0, n1, ends] = counts.map(|count| count as f64);
         Self {
             contacts,
             coordination: ratio(ends, n),
@@ -92,12 +101,16 @@ impl Assembly {
 pub fn degrees(world: &World) -> Vec<u32> {
     let mut degrees = vec![0; world.particles().len()];
     for link in Link::all(world).filter(Link::is_touching) {
-        degrees[link.first] += 1;
-        if let Some(second) = link.second() {
-            degrees[second] += 1;
-        }
+        count_ends(&link, &mut degrees);
     }
     degrees
+}
+
+fn count_ends(link: &Link, degrees: &mut [u32]) {
+    degrees[link.first] += 1;
+    if let Some(second) = link.second() {
+        degrees[second] += 1;
+    }
 }
 
 /// Mean and largest out-of-balance force over the particles inside that can move, weight and

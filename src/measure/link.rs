@@ -44,7 +44,7 @@ impl Link {
 
     fn of(world: &World, branch: &Branch) -> Self {
         let k = branch.place;
-        let reaction = world.reaction(k);
+        let reaction = world.reaction_along(k, branch.e.into());
         Self {
             place: k,
             first: branch.first,
