@@ -233,6 +233,11 @@ impl World {
         &self.contacts
     }
 
+    /// Whether the forces of this boundary are summed: velocities stand at half steps without.
+    pub fn is_settled(&self) -> bool {
+        self.settled
+    }
+
     /// The energy ledger, if energies are booked.
     pub fn ledger(&self) -> Option<&Ledger> {
         self.ledger.as_ref()

@@ -5,6 +5,7 @@ use super::means::{Means, Sums};
 use super::sight::{Sieve, Sight};
 use super::strongest::Strongest;
 use crate::engine::World;
+use crate::engine::boundary::cell::Cell;
 use crate::engine::contact_report::Other;
 use crate::engine::neighbours::Status;
 
@@ -17,9 +18,9 @@ pub struct Disc {
     pub at: [f64; 2],
     /// Radius [m].
     pub radius: f64,
-    /// Velocity [m/s].
+    /// Velocity [m/s]; NaN in a picture of a world whose forces are not summed.
     pub velocity: [f64; 2],
-    /// Spin [rad/s].
+    /// Spin [rad/s]; NaN there too.
     pub spin: f64,
     /// Angle [rad].
     pub angle: f64,
@@ -30,10 +31,19 @@ pub struct Disc {
 }
 
 impl Disc {
-    /// That of particle p.
+    /// Magnitude of its velocity [m/s].
+    pub fn speed(&self) -> f64 {
+        squared(self.velocity).sqrt()
+    }
+
+    /// That of particle p. How fast it is nobody knows before forces are summed.
     fn of(world: &World, p: usize) -> Self {
         let particles = world.particles();
-        let (velocity, spin) = world.velocity(p);
+        let (velocity, spin) = if world.is_settled() {
+            world.velocity(p)
+        } else {
+            ([f64::NAN; 2], f64::NAN)
+        };
         let row = &particles.row[p];
         Self {
             id: particles.id[p],
@@ -75,7 +85,8 @@ impl Touch {
     /// That of contact k.
     fn of(world: &World, k: usize) -> Self {
         let particles = world.particles();
-        let (g, reaction) = (world.geometry(k), world.reaction(k));
+        let g = world.geometry(k);
+        let reaction = world.reaction_along(k, g.e);
         let (first, second, wall) = match world.bodies(k) {
             (i, Other::Particle(j)) => (i, Some(j), None),
             (i, Other::Wall(w)) => (i, None, Some(w)),
@@ -133,6 +144,8 @@ pub struct Picture {
     pub whole: Option<[[f64; 2]; 2]>,
     /// Means over all discs and contacts, also those that are left out.
     pub means: Means,
+    /// Largest speed of a disc, also of those that are left out: then that of the last half step [m/s].
+    pub fastest: f64,
 }
 
 /// So many particles are drawn whatever is seen of them.
@@ -151,15 +164,22 @@ impl Picture {
         let touching = (0..list.len()).filter(|&k| list.status[k] != Status::Apart);
         picture.touches = touching.map(|k| Touch::of(world, k)).collect();
         picture.means = Means::of(&picture.discs, &picture.touches);
+        let speeds = picture.discs.iter().map(Disc::speed);
+        picture.fastest = speeds.filter(|v| v.is_finite()).fold(0.0, f64::max);
         picture.draw_walls(world);
         picture
+    }
+
+    /// Whether what is seen of a world is only part of it.
+    pub fn is_of_part(world: &World) -> bool {
+        world.particles().len() > FEW
     }
 
     /// The same, but of a large world only what can be seen of it, and the particle of the number
     /// `selected` with its contacts wherever it is.
     pub fn seen(world: &World, sight: Option<&Sight>, selected: Option<u32>) -> Self {
         let particles = world.particles();
-        if particles.len() <= FEW {
+        if !Self::is_of_part(world) {
             return Self::of(world);
         }
         let mut picture = Self::default();
@@ -170,17 +190,29 @@ impl Picture {
         let mut sieve = Sieve::new(&sight);
         let mut sums = Sums::default();
         let mut whole = NOTHING;
-        for p in 0..particles.len() {
-            let (at, radius) = (home(world, world.position(p)), particles.row[p].radius);
+        let chosen = selected.and_then(|id| particles.index(id));
+        let at_home = Home::of(world);
+        let flows = world.imposed_rate().is_some();
+        let mut fastest = 0.0;
+        for (p, row) in particles.row.iter().enumerate() {
+            let (at, radius) = (at_home.of_inner(row.x), row.radius);
             take(&mut whole, at, radius);
             sums.add_disc(radius);
+            let flow = if flows {
+                world.flow_at(row.x)
+            } else {
+                [0.0; 2]
+            };
+            let speed = squared([row.v[0] + flow[0], row.v[1] + flow[1]]);
+            fastest = if speed > fastest { speed } else { fastest };
             // One whose motion is prescribed looks otherwise.
             let most = 1 + u8::from(particles.is_driven(p));
-            if sieve.passes(at, radius, most) || selected == Some(particles.id[p]) {
+            if sieve.passes(at, radius, most) || chosen == Some(p) {
                 picture.discs.push(Disc::of(world, p));
             }
         }
         picture.whole = Some(whole);
+        picture.fastest = fastest.sqrt();
         picture.bounds = bounds(world, whole);
         let mut strongest = Strongest::new(&sight);
         let list = world.contacts();
@@ -237,11 +269,33 @@ pub(super) fn home(world: &World, x: [f64; 2]) -> [f64; 2] {
     let origin = world.origin();
     match world.cell() {
         None => x,
-        Some(cell) => {
-            let x = cell.home([x[0] - origin[0], x[1] - origin[1]]);
-            [x[0] + origin[0], x[1] + origin[1]]
+        Some(_) => Home::of(world).of_inner([x[0] - origin[0], x[1] - origin[1]]),
+    }
+}
+
+/// The same for many particles.
+struct Home<'a> {
+    origin: [f64; 2],
+    cell: Option<&'a Cell>,
+}
+
+impl<'a> Home<'a> {
+    fn of(world: &'a World) -> Self {
+        Self {
+            origin: world.origin(),
+            cell: world.cell(),
         }
     }
+
+    /// Of a place relative to the origin of the world [m].
+    fn of_inner(&self, x: [f64; 2]) -> [f64; 2] {
+        let x = self.cell.map_or(x, |cell| cell.home(x));
+        [x[0] + self.origin[0], x[1] + self.origin[1]]
+    }
+}
+
+fn squared(v: [f64; 2]) -> f64 {
+    v[0] * v[0] + v[1] * v[1]
 }
 
 /// The box that a box is before it takes anything [m].
@@ -250,9 +304,13 @@ const NOTHING: [[f64; 2]; 2] = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
 /// Makes a box so large that it holds what reaches so far around a point [m].
 fn take([low, high]: &mut [[f64; 2]; 2], x: [f64; 2], reach: f64) {
     for k in 0..2 {
-        if x[k].is_finite() {
-            low[k] = low[k].min(x[k] - reach);
-            high[k] = high[k].max(x[k] + reach);
+        // Asked in this order because hardly anything is at the rim of a crowd.
+        let (below, above) = (x[k] - reach, x[k] + reach);
+        if below < low[k] && x[k].is_finite() {
+            low[k] = below;
+        }
+        if above > high[k] && x[k].is_finite() {
+            high[k] = above;
         }
     }
 }

@@ -27,6 +27,16 @@ impl Sight {
         }
     }
 
+    /// Whether another one has as many dots, each less than a dot away from where it is in this one.
+    pub fn is_within_a_dot(&self, other: &Self) -> bool {
+        let [low, high] = self.window;
+        let near = |k: usize| {
+            let dot = (high[k] - low[k]) / f64::from(self.dots[k]);
+            (0..2).all(|end| (self.window[end][k] - other.window[end][k]).abs() < dot)
+        };
+        self.dots == other.dots && near(0) && near(1)
+    }
+
     /// The same with a quarter of it more on each side, so that what is moved into it is there already.
     #[must_use]
     pub fn wider(self) -> Self {
@@ -59,6 +69,9 @@ pub(super) struct Grid {
     low: [f64; 2],
     per_metre: [f64; 2],
     dots: [usize; 2],
+    /// The same, and the finer of the two scales.
+    size: [f64; 2],
+    finest: f64,
 }
 
 impl Grid {
@@ -70,6 +83,8 @@ impl Grid {
             low,
             per_metre,
             dots,
+            size: dots.map(|n| n as f64),
+            finest: per_metre[0].max(per_metre[1]),
         }
     }
 
@@ -81,13 +96,18 @@ impl Grid {
     /// Place of something that reaches so far around this point [m].
     pub(super) fn place(&self, at: [f64; 2], reach: f64) -> Place {
         let place = [0, 1].map(|k| (at[k] - self.low[k]) * self.per_metre[k]);
+        // Nearly all of a crowd.
+        let is_small = reach * self.finest < ROUND;
+        if is_small && (0..2).all(|k| place[k] >= 0.0 && place[k] < self.size[k]) {
+            return Place::Dot(place[1] as usize * self.dots[0] + place[0] as usize);
+        }
         let around = self.per_metre.map(|scale| reach * scale);
-        let seen = (0..2)
-            .all(|k| place[k] + around[k] >= 0.0 && place[k] - around[k] <= self.dots[k] as f64);
+        let seen =
+            (0..2).all(|k| place[k] + around[k] >= 0.0 && place[k] - around[k] <= self.size[k]);
         if !seen {
             return Place::Outside;
         }
-        if around[0].max(around[1]) >= ROUND {
+        if !is_small {
             return Place::Large;
         }
         let [x, y] = [0, 1].map(|k| (place[k].max(0.0) as usize).min(self.dots[k] - 1));
@@ -154,6 +174,23 @@ mod tests {
         }
         for at in [[-0.8, 3.0], [3.0, 10.8], [f64::NAN, 3.0]] {
             assert!(!sieve.passes(at, 0.75, 1), "{at:?}");
+        }
+    }
+
+    #[test]
+    fn a_sight_that_moves_by_less_than_a_dot_is_the_same_to_whoever_looks() {
+        let moved = |x: f64, y: f64, dots| Sight {
+            window: [[x, 0.0], [10.0, 10.0 + y]],
+            dots,
+        };
+        assert!(sight().is_within_a_dot(&moved(0.9, -0.9, [10, 10])));
+        for other in [
+            moved(1.1, 0.0, [10, 10]),
+            moved(0.0, 1.1, [10, 10]),
+            moved(0.0, 0.0, [10, 11]),
+            moved(f64::NAN, 0.0, [10, 10]),
+        ] {
+            assert!(!sight().is_within_a_dot(&other), "{other:?}");
         }
     }
 

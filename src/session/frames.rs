@@ -1,7 +1,6 @@
 //! Frames: everything a screen shows, taken at a cycle boundary.
 
 use std::sync::Arc;
-use std::time::Duration;
 
 use super::Session;
 use super::inspect::Inspection;
@@ -17,11 +16,12 @@ use crate::measure::sample::Sample;
 use crate::measure::sight::Sight;
 use crate::measure::survey::{Parts, Survey};
 
-/// While cycles run the stability bound shown may be so old.
-const LIMIT_AGE: Duration = Duration::from_secs(1);
-
 /// Which costly parts of a frame are wanted.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[allow(
+    clippy::struct_excessive_bools,
+    reason = "each part is wanted or not, whatever the others"
+)]
 pub struct Wants {
     /// Discs, contacts and walls.
     pub picture: bool,
@@ -29,6 +29,10 @@ pub struct Wants {
     pub sight: Option<Sight>,
     /// Number of a particle that is there with its contacts whether it can be seen or not.
     pub selected: Option<u32>,
+    /// Velocities also in a picture of part of the particles; the selected one has it anyway.
+    pub velocities: bool,
+    /// The stability bound.
+    pub limit: bool,
     /// Energies, if they are booked or not.
     pub energies: bool,
     /// Measures of the first region.
@@ -43,10 +47,35 @@ impl Default for Wants {
             picture: true,
             sight: None,
             selected: None,
+            velocities: true,
+            limit: true,
             energies: true,
             survey: Parts::default(),
             polygon: None,
         }
+    }
+}
+
+impl Wants {
+    /// Whether who wants this is served by what these ask for: an assembly that falls or shakes moves what
+    /// is seen of it by less than a dot, and nobody sees the difference.
+    pub fn serve(&self, wanted: &Self) -> bool {
+        let same = |asked: &Sight| {
+            let of = Self {
+                sight: Some(*asked),
+                ..*wanted
+            };
+            *self == of
+                && wanted
+                    .sight
+                    .is_some_and(|sight| asked.is_within_a_dot(&sight))
+        };
+        self == wanted || self.sight.as_ref().is_some_and(same)
+    }
+
+    /// Whether they ask for measures of the first region.
+    pub fn measures(&self) -> bool {
+        self.energies || self.survey != Parts::default() || self.polygon.is_some()
     }
 }
 
@@ -80,8 +109,10 @@ pub struct Frame {
     pub dt: f64,
     /// FRAC.
     pub frac: f64,
-    /// Largest stable FRAC by the stiffness bound.
+    /// Largest stable FRAC by the stiffness bound; NaN if it is not wanted.
     pub frac_limit: f64,
+    /// Cycle that this belongs to: of a large assembly it may be an earlier one.
+    pub frac_limit_of: u64,
     /// Name of the stage.
     pub stage: String,
     /// Stage number from 1, and how many there are.
@@ -94,6 +125,9 @@ pub struct Frame {
     pub running: bool,
     /// Cycles per second of wall clock, lately.
     pub rate: f64,
+    /// Cycle that contact statistics, energies, survey and polygon belong to: while cycles of a large
+    /// assembly run it may be an earlier one.
+    pub measures_of: u64,
     /// Contact statistics.
     pub assembly: Assembly,
     /// What the FRACC monitor saw.
@@ -165,7 +199,6 @@ pub struct Shown {
     rows: usize,
     columns: Arc<[Observable]>,
     measures: Option<Kept<Measures>>,
-    /// The stability bound: it costs more than the rest of a frame.
     limit: Option<Kept<f64>>,
     known: Option<Kept<Arc<Known>>>,
 }
@@ -218,21 +251,32 @@ impl Session {
             events: self.journal.events.len(),
             running,
         };
-        let none = Duration::ZERO;
+        // Names change by commands only.
+        let unmoved = Moment { cycle: 0, ..now };
         let names = || Arc::new(self.known());
-        let known = Arc::clone(Kept::get(&mut shown.known, now, none, |_| true, names));
-        let sample = Sample::over(&mut self.world, &self.scene.regions, Some(&self.reference));
+        let known = Arc::clone(&Kept::get(&mut shown.known, unmoved, |_| true, names).value);
         let suit = |measures: &Measures| measures.suit(wants);
-        let measures = || Measures::of(&sample, wants);
-        let measures = Kept::get(&mut shown.measures, now, none, suit, measures);
+        let measures = || {
+            let (regions, reference) = (&self.scene.regions, Some(&self.reference));
+            Measures::of(&Sample::over(&mut self.world, regions, reference), wants)
+        };
+        let measures = Kept::get(&mut shown.measures, now, suit, measures);
         let picture = if wants.picture {
-            Picture::seen(sample.world(), wants.sight.as_ref(), wants.selected)
+            let shows_velocities = wants.velocities || wants.selected.is_some();
+            if shows_velocities || !Picture::is_of_part(&self.world) {
+                self.world.settle();
+            }
+            Picture::seen(&self.world, wants.sight.as_ref(), wants.selected)
         } else {
             Picture::default()
         };
         let world = &self.world;
-        let limit = || world.frac_limit();
-        let frac_limit = *Kept::get(&mut shown.limit, now, LIMIT_AGE, |_| true, limit);
+        let (frac_limit, frac_limit_of) = if wants.limit {
+            let limit = Kept::get(&mut shown.limit, now, |_| true, || world.frac_limit());
+            (limit.value, limit.cycle)
+        } else {
+            (f64::NAN, now.cycle)
+        };
         Frame {
             serial: shown.serial,
             title: self.scene.about.title.clone(),
@@ -242,20 +286,22 @@ impl Session {
             dt: world.dt(),
             frac: world.frac(),
             frac_limit,
+            frac_limit_of,
             stage: self.stage_name().to_owned(),
             stages: ((stage + 1).min(stages), stages),
             stage_cycles,
             finished: self.is_finished(),
             running,
             rate,
-            assembly: measures.assembly,
+            measures_of: measures.cycle,
+            assembly: measures.value.assembly,
             fracc: world.fracc_monitor().clone(),
             picture,
-            energies: measures.energies,
-            bookings: measures.bookings,
+            energies: measures.value.energies,
+            bookings: measures.value.bookings,
             contact: self.inspection(),
-            survey: measures.survey.clone(),
-            polygon: measures.polygon.clone(),
+            survey: measures.value.survey.clone(),
+            polygon: measures.value.polygon.clone(),
             columns: Arc::clone(&shown.columns),
             rows: new,
             restarted,

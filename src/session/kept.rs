@@ -4,7 +4,7 @@
 use std::time::{Duration, Instant};
 
 /// While cycles run, a measure is so many times older than what it took before it is taken again.
-const RARE: u32 = 10;
+const RARE: u32 = 20;
 
 /// A state of a run, and whether that is going on.
 #[derive(Debug, Clone, Copy)]
@@ -20,26 +20,26 @@ pub(super) struct Moment {
 /// Something that was measured.
 #[derive(Debug)]
 pub(super) struct Kept<T> {
-    value: T,
-    cycle: u64,
+    pub(super) value: T,
+    /// Cycle that it belongs to.
+    pub(super) cycle: u64,
     events: usize,
     at: Instant,
     took: Duration,
 }
 
 impl<T> Kept<T> {
-    /// What is kept, or what `measure` finds now: where the state is another, and while cycles run only
-    /// after `patience` and some more if it took long.
+    /// What is kept, or what `measure` finds now: where the state is another, and while cycles run not
+    /// too often if it took long.
     pub(super) fn get(
         kept: &mut Option<Self>,
         now: Moment,
-        patience: Duration,
         suits: impl FnOnce(&T) -> bool,
         measure: impl FnOnce() -> T,
-    ) -> &T {
+    ) -> &Self {
         let old = kept.take().filter(|old| {
             let same = (old.cycle, old.events) == (now.cycle, now.events);
-            let fresh = now.running && old.at.elapsed() < patience.max(RARE * old.took);
+            let fresh = now.running && old.at.elapsed() < RARE * old.took;
             (same || fresh) && suits(&old.value)
         });
         let start = Instant::now();
@@ -50,7 +50,7 @@ impl<T> Kept<T> {
             took: start.elapsed(),
             at: Instant::now(),
         };
-        &kept.insert(old.unwrap_or_else(new)).value
+        kept.insert(old.unwrap_or_else(new))
     }
 }
 
@@ -68,19 +68,14 @@ mod tests {
                 events,
                 running,
             };
-            *Kept::get(
-                &mut kept,
-                now,
-                Duration::ZERO,
-                |_| suits,
-                || {
-                    if slow {
-                        std::thread::sleep(Duration::from_millis(50));
-                    }
-                    measured += 1;
-                    measured
-                },
-            )
+            let measure = || {
+                if slow {
+                    std::thread::sleep(Duration::from_millis(50));
+                }
+                measured += 1;
+                measured
+            };
+            Kept::get(&mut kept, now, |_| suits, measure).value
         };
         assert_eq!(get(1, 0, false, true, false), 1);
         assert_eq!(get(1, 0, false, true, false), 1);
@@ -91,7 +86,7 @@ mod tests {
         );
         assert_eq!(get(2, 0, false, true, false), 3, "another cycle");
         assert_eq!(get(2, 1, false, true, true), 4, "a command");
-        // It took 50 ms: while cycles run it is good for half a second.
+        // It took 50 ms: while cycles run it is good for a second.
         assert_eq!(get(3, 1, true, true, false), 4);
         assert_eq!(get(3, 1, false, true, false), 5, "at rest it is exact");
     }

@@ -30,6 +30,7 @@ mod save_clock;
 pub mod start;
 mod steer;
 mod tables;
+mod turns;
 pub mod worker;
 
 pub use advance::{Budget, Progress};

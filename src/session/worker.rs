@@ -15,17 +15,12 @@ use super::frames::{Frame, Shown, Wants};
 use super::queue::{Giver, Taker, Urgent, Waiting, channel};
 use super::rate::Rate;
 use super::save_clock::SaveClock;
+use super::turns::Turns;
 use super::{Budget, Progress, Refusal, Reply, Request, RunError, Session};
 use crate::measure::columns::Partner;
 
 /// Length of a batch: short enough to answer keys at once.
 const BATCH: Duration = Duration::from_millis(5);
-
-/// While cycles run, a frame comes so many times later than what the last one took.
-const FRAMES: u32 = 4;
-
-/// But no later than this, or than what the last one took: cycles get half of the time at least.
-const LATE: Duration = Duration::from_millis(120);
 
 /// What the screen asks of the worker.
 pub enum Order {
@@ -41,7 +36,7 @@ pub enum Order {
     Row,
     /// Follow a contact: the lower particle number and its partner.
     Follow(u32, Partner),
-    /// Which parts of frames are wanted.
+    /// Which parts of frames are wanted: those that come anyway.
     Wants(Wants),
     /// At most so many cycles per second; `None`: as fast as possible.
     Pace(Option<f64>),
@@ -128,7 +123,8 @@ impl Worker {
             rate: Rate::default(),
             clock: SaveClock::new(Instant::now()),
             saved_cycle: None,
-            posted: None,
+            turns: Turns::default(),
+            batch: Duration::ZERO,
         };
         let thread = std::thread::Builder::new()
             .name("ballast-run".into())
@@ -171,11 +167,6 @@ impl Worker {
     }
 }
 
-/// How long cycles run after a frame that took so long.
-fn pause(took: Duration) -> Duration {
-    (FRAMES * took).min(LATE.max(took))
-}
-
 /// The session, which keeps no good state while orders wait.
 fn attentive(mut session: Box<Session>, waiting: Waiting) -> Box<Session> {
     session.keep_unless(move || waiting.any());
@@ -201,9 +192,9 @@ struct Desk {
     rate: Rate,
     clock: SaveClock,
     saved_cycle: Option<u64>,
-    /// When the last frame was done, and how long it took; nothing after an order, whose answer the
-    /// screen waits for.
-    posted: Option<(Instant, Duration)>,
+    turns: Turns,
+    /// How long the last batch took.
+    batch: Duration,
 }
 
 impl Desk {
@@ -244,11 +235,14 @@ impl Desk {
                     Err(RecvTimeoutError::Disconnected) => return false,
                 }
             };
+            // What is seen of a moving assembly changes by itself, too: nobody waits for that.
+            if !matches!(order, Order::Wants(_)) {
+                self.turns.await_answer();
+            }
             if !self.carry_out(order) {
                 return false;
             }
             self.changed = true;
-            self.posted = None;
         }
     }
 
@@ -339,6 +333,7 @@ impl Desk {
                     .min(Duration::from_millis(40)),
             );
         }
+        self.batch = start.elapsed();
         let now = Instant::now();
         if self.clock.is_due(now) {
             if self.save(self.clock.is_late(now)) {
@@ -399,7 +394,8 @@ impl Desk {
 
     /// Leaves the newest frame if the last one was taken.
     fn post(&mut self) {
-        if !self.changed || self.is_early() {
+        let turn = || self.turns.is_due(Instant::now(), self.batch);
+        if !self.changed || self.running && !turn() {
             return;
         }
         let empty = self
@@ -419,14 +415,8 @@ impl Desk {
             .frame(self.wants, rate, self.running, &mut self.shown);
         *self.mailbox.lock().unwrap_or_else(PoisonError::into_inner) = Some(Box::new(frame));
         self.changed = false;
-        self.posted = Some((Instant::now(), start.elapsed()));
+        self.turns.taken(start, Instant::now());
         self.knock();
-    }
-
-    /// Whether another frame so soon would keep cycles from running.
-    fn is_early(&self) -> bool {
-        let early = |(then, took): (Instant, Duration)| then.elapsed() < pause(took);
-        self.running && self.posted.is_some_and(early)
     }
 
     fn begin_journal(&mut self) {
@@ -467,18 +457,5 @@ impl Desk {
             Err(error) => self.tell(Report::Notice(error.to_string())),
         }
         true
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn cycles_get_four_fifths_of_the_time_and_half_of_it_when_frames_are_slow() {
-        let after = |took| pause(Duration::from_millis(took)).as_millis();
-        assert_eq!([1, 30].map(after), [4, 120]);
-        assert_eq!([50, 120].map(after), [120, 120]);
-        assert_eq!([121, 300, 2000].map(after), [121, 300, 2000]);
     }
 }

@@ -27,18 +27,19 @@ impl Trail {
     /// Takes what a frame carries of it.
     pub fn take(&mut self, frame: &Frame) {
         let newest = self.points.last().map_or(0, |point| point.cycle);
-        if frame.restarted || frame.cycle < newest {
+        let cycle = frame.measures_of;
+        if frame.restarted || cycle < newest {
             self.points.clear();
         }
         let Some(tensors) = &frame.survey.tensors else {
             return;
         };
-        if frame.cycle == newest && !self.points.is_empty() {
+        if cycle == newest && !self.points.is_empty() {
             self.points.pop();
         }
         let stress = &tensors.stress;
         self.points.push(StressPoint {
-            cycle: frame.cycle,
+            cycle,
             stage: frame.stages.0 as u32,
             at: (stress.isotropic(), stress.deviator()),
         });

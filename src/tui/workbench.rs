@@ -208,10 +208,10 @@ impl Workbench {
         }
         if self.app.dirty {
             self.app.dirty = false;
-            self.urgent = false;
+            let waited_for = std::mem::take(&mut self.urgent);
             let mut buffer = Buffer::empty(area);
             let cursor = self.app.draw(area, &mut buffer);
-            self.ask_for_what_is_seen();
+            self.ask_for_what_is_seen(waited_for);
             let text = self.painter.paint(&buffer, cursor);
             if !text.is_empty() {
                 self.terminal.send(text)?;
@@ -232,13 +232,18 @@ impl Workbench {
         })
     }
 
-    /// Frames carry what the panes on the screen draw, and no more.
-    fn ask_for_what_is_seen(&mut self) {
+    /// Frames carry what the panes on the screen draw, and no more. When a key has changed that, the
+    /// frame with it is waited for; what moves out of sight by itself has time.
+    fn ask_for_what_is_seen(&mut self, waited_for: bool) {
         let wants = self.app.wants();
-        if self.wants != Some(wants) {
-            self.wants = Some(wants);
+        if self.wants.is_some_and(|asked| asked.serve(&wants)) {
+            return;
+        }
+        self.wants = Some(wants);
+        self.worker.order(Order::Wants(wants));
+        if waited_for {
             self.eager = self.eager.max(2);
-            self.worker.order(Order::Wants(wants));
+            self.worker.order(Order::Refresh);
         }
     }
 

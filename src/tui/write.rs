@@ -99,6 +99,18 @@ pub fn fitting(title: &str, room: usize) -> &str {
     text
 }
 
+/// A title in so many columns that says which cycle it is about, whatever else there is no room for.
+pub fn dated(title: &str, cycle: &str, room: usize) -> String {
+    let at = format!("at cycle {cycle}");
+    let (name, more) = title.split_once("  ").unwrap_or((title, ""));
+    let name = format!("{name} {at}");
+    match (name.chars().count() <= room, more) {
+        (false, _) => at,
+        (true, "") => name,
+        (true, more) => format!("{name}  {more}"),
+    }
+}
+
 /// A text in lines of so many columns, broken at blanks where there are any.
 pub fn wrapped(text: &str, width: usize) -> Vec<String> {
     let width = width.max(1);

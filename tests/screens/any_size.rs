@@ -74,6 +74,7 @@ fn spoil(frame: &mut Frame, odd: f64) {
     }
     frame.picture.walls[0].ends = [[odd, 0.0], [0.0, odd]];
     frame.picture.bounds = [[odd; 2], [0.0, 1.0]];
+    frame.picture.fastest = odd;
     for row in frame.rows.iter_mut().step_by(3) {
         row.values.fill(odd);
     }

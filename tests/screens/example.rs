@@ -249,12 +249,14 @@ pub(crate) fn frame() -> Frame {
         dt: 1e-5,
         frac: 0.1,
         frac_limit: 0.417,
+        frac_limit_of: 14_820,
         stage: "settle".into(),
         stages: (2, 3),
         stage_cycles: (3_700, Some(10_000)),
         finished: false,
         running: true,
         rate: 12_300.0,
+        measures_of: 14_820,
         assembly: Assembly {
             contacts: 13.0,
             coordination: 3.5,
@@ -463,6 +465,7 @@ fn picture() -> Picture {
         ends,
     };
     let means = Means::of(&discs, &touches);
+    let fastest = discs[6].speed();
     Picture {
         discs,
         touches,
@@ -473,5 +476,6 @@ fn picture() -> Picture {
         bounds: [[0.0, 0.0], [0.8, 0.7]],
         whole: None,
         means,
+        fastest,
     }
 }

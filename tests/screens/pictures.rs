@@ -160,6 +160,52 @@ fn panes_without_anything_to_draw() {
 }
 
 #[test]
+fn measures_of_an_earlier_cycle_say_so_wherever_they_are_shown() {
+    let screens = |measures_of, frac_limit_of| {
+        let mut app = empty(LOOK);
+        app.take_frame(Box::new(Frame {
+            measures_of,
+            frac_limit_of,
+            ..frame()
+        }));
+        let all = text(&drawn(&mut app, 120, 40));
+        let enlarged = PANES.iter().map(|(id, _)| {
+            app.zoomed = Some(*id);
+            (*id, text(&drawn(&mut app, 80, 24)))
+        });
+        (all, enlarged.collect::<Vec<_>>())
+    };
+    let (all, enlarged) = screens(14_000, 14_100);
+    for says in ["at 14 000  ", "at cycle 14 000", "limit at cycle 14 100"] {
+        assert!(all.contains(says), "{says}: {all}");
+    }
+    for (id, screen) in enlarged {
+        let measured = matches!(
+            id,
+            PaneId::Rose(_)
+                | PaneId::Histogram
+                | PaneId::MohrCircle
+                | PaneId::StressPath
+                | PaneId::Profile
+                | PaneId::Energy
+        );
+        assert_eq!(
+            screen.contains("at cycle 14 000"),
+            measured,
+            "{id:?}: {screen}"
+        );
+    }
+    let (all, enlarged) = screens(14_820, 14_820);
+    let enlarged = enlarged.into_iter().map(|(_, screen)| screen);
+    for screen in enlarged.chain([all]) {
+        assert!(
+            !screen.contains("at cycle") && !screen.contains("at 14"),
+            "{screen}"
+        );
+    }
+}
+
+#[test]
 fn frames_have_to_carry_the_selected_disc_whatever_pane_is_shown() {
     let mut app = app(LOOK);
     for (id, _) in PANES {

@@ -102,6 +102,7 @@ fn a_creeping_assembly_changes_few_cells() {
     let mut frame = app.frame.clone().unwrap();
     frame.restarted = false;
     frame.cycle += 100;
+    (frame.measures_of, frame.frac_limit_of) = (frame.cycle, frame.cycle);
     frame.stage_cycles.0 += 100;
     let mut row = app.series.rows().last().unwrap().clone();
     row.cycle += 100;

@@ -16,6 +16,7 @@ use crate::tui::link::Link;
 use crate::tui::look::{Look, Points};
 use crate::tui::panes::{self, PaneId};
 use crate::tui::prompt::Prompt;
+use crate::tui::scale::round_up;
 use crate::tui::series::Series;
 use crate::tui::trail::Trail;
 use crate::tui::view::View;
@@ -94,6 +95,8 @@ pub struct App {
     pub zoomed: Option<PaneId>,
     /// Part of the assembly that is seen.
     pub view: View,
+    /// Speed that the longest stroke of a velocity stands for [m/s].
+    pub stroke: f64,
     /// Settings of the picture.
     pub look: Look,
     /// Line to the terminal.
@@ -138,6 +141,7 @@ impl App {
             focus: 0,
             zoomed: None,
             view: View::default(),
+            stroke: 0.0,
             look,
             link,
             overlay: None,
@@ -200,6 +204,7 @@ impl App {
                 text,
             });
         }
+        self.stroke = stroke(self.stroke, frame.picture.fastest);
         self.frame = Some(frame);
         self.dirty = true;
     }
@@ -207,6 +212,7 @@ impl App {
     /// A new run: what belonged to the old one goes.
     fn begin(&mut self) {
         self.view = View::default();
+        self.stroke = 0.0;
         self.selected = None;
         self.failure = None;
         self.warnings.clear();
@@ -358,5 +364,30 @@ impl App {
             None => {}
         }
         if self.overlay.is_some() { None } else { cursor }
+    }
+}
+
+/// Speed that the longest stroke stands for where it stood for `old` and this is the largest [m/s]: a
+/// round number, which stays while the largest varies little about it.
+fn stroke(old: f64, fastest: f64) -> f64 {
+    if fastest <= old && fastest > 0.2 * old {
+        old
+    } else {
+        round_up(fastest)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn strokes_keep_their_length_while_the_largest_velocity_varies_a_little() {
+        let mut now = 0.0;
+        let strokes = [0.3, 0.45, 0.11, 0.09, 0.095, 0.11, 0.0].map(|fastest| {
+            now = stroke(now, fastest);
+            now
+        });
+        assert_eq!(strokes, [0.5, 0.5, 0.5, 0.1, 0.1, 0.2, round_up(0.0)]);
     }
 }

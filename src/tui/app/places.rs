@@ -34,6 +34,8 @@ impl App {
     pub fn wants(&self) -> Wants {
         let mut wants = Wants {
             energies: false,
+            velocities: false,
+            limit: false,
             selected: self.selected,
             ..Wants::default()
         };

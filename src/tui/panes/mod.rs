@@ -128,14 +128,12 @@ pub fn draw(app: &App, id: PaneId, number: usize, area: Rect, buffer: &mut Buffe
     let pane = row(id);
     let focused = app.focus == number;
     let role = if focused { Role::Focus } else { Role::Frame };
-    let title = format!(
-        " {} {} ",
-        number + 1,
-        write::fitting(
-            &(pane.title)(app, id),
-            usize::from(area.width).saturating_sub(6)
-        )
-    );
+    let room = usize::from(area.width).saturating_sub(6);
+    let title = match measured_before(app, id) {
+        None => (pane.title)(app, id),
+        Some(cycle) => write::dated(&(pane.title)(app, id), &status::grouped(cycle), room),
+    };
+    let title = format!(" {} {} ", number + 1, write::fitting(&title, room));
     let title = write::shown(&app.look, &title);
     let block = Block::bordered()
         .border_set(app.border())
@@ -146,6 +144,17 @@ pub fn draw(app: &App, id: PaneId, number: usize, area: Rect, buffer: &mut Buffe
     if !inner.is_empty() {
         (pane.draw)(app, id, inner, buffer);
     }
+}
+
+/// Cycle that the measures which a pane shows belong to, if it is not that of the frame.
+fn measured_before(app: &App, id: PaneId) -> Option<u64> {
+    let frame = app.frame.as_ref()?;
+    let mut wants = Wants {
+        energies: false,
+        ..Wants::default()
+    };
+    (row(id).wants)(app, id, &mut wants);
+    (wants.measures() && frame.measures_of != frame.cycle).then_some(frame.measures_of)
 }
 
 #[cfg(test)]

@@ -20,6 +20,7 @@ pub const PANE: Pane = Pane {
         new => format!("step monitor  {new} new warnings"),
     },
     draw,
+    wants: |_, _, wants| wants.limit = true,
     ..Pane::PLAIN
 };
 
@@ -36,6 +37,13 @@ fn draw(app: &App, _: PaneId, area: Rect, buffer: &mut Buffer) {
     };
     for gauge in gauges(app, frame) {
         gauge.write(app, area.width, &mut lines);
+    }
+    if frame.frac_limit_of != frame.cycle {
+        let text = format!(
+            "limit at cycle {}",
+            super::status::grouped(frame.frac_limit_of)
+        );
+        lines.line(&text, Role::Label);
     }
     let step = format!("{} s", short(frame.dt));
     lines.parts(&[("time step  ", Role::Label), (&step, Role::Value)]);
@@ -89,6 +97,8 @@ impl Gauge {
         let over = self.value > self.limit;
         let number = if self.value.is_nan() {
             "not evaluated yet".to_owned()
+        } else if self.limit.is_nan() {
+            format!("{:.3}", self.value)
         } else if self.limit.is_finite() {
             format!("{:.3} of {}", self.value, short(self.limit))
         } else {

@@ -79,10 +79,11 @@ fn parts(app: &App) -> Vec<(String, Role)> {
         parts.push(("space runs".into(), plain));
     }
     if frame.assembly.unbalanced.is_finite() {
-        parts.push((
-            format!("unbalanced {:.1e}", frame.assembly.unbalanced),
-            plain,
-        ));
+        let mut text = format!("unbalanced {:.1e}", frame.assembly.unbalanced);
+        if frame.measures_of != frame.cycle {
+            text.push_str(&format!(" at {}", grouped(frame.measures_of)));
+        }
+        parts.push((text, plain));
     }
     parts.push((frame.preset.clone(), plain));
     let (bytes, fps) = app.link.measured;

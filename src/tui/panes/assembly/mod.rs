@@ -12,7 +12,7 @@ use crate::measure::survey::Part;
 use crate::tui::app::App;
 use crate::tui::dots::{Dots, Ink};
 use crate::tui::look::{Chains, Compared, Points, Role};
-use crate::tui::scale::{round_down, round_up, short};
+use crate::tui::scale::{round_down, short};
 use crate::tui::view::fitted;
 use crate::tui::write;
 
@@ -31,8 +31,8 @@ pub const PANE: Pane = Pane {
             Chains::Tangential => ", tangential forces",
         };
         let title = format!("assembly{chains}");
-        if let (true, Some(frame)) = (app.look.velocities, &app.frame) {
-            let scale = plain(velocity_scale(&frame.picture));
+        if app.look.velocities && app.frame.is_some() {
+            let scale = plain(app.stroke);
             return format!("{title}  velocities, {STROKE} columns = {scale} m/s");
         }
         title
@@ -43,6 +43,7 @@ pub const PANE: Pane = Pane {
             wants.survey = wants.survey.with(Part::Changes);
         }
         wants.sight = sight(app, id);
+        wants.velocities |= app.look.velocities;
     },
     ..Pane::PLAIN
 };
@@ -88,7 +89,7 @@ fn draw(app: &App, _: PaneId, area: Rect, buffer: &mut Buffer) {
         changes::draw(picture, against, app.look.compared, &map, &mut dots);
     }
     if app.look.velocities && !is_compared {
-        draw_velocities(picture, &map, &mut dots);
+        draw_velocities(picture, app.stroke, &map, &mut dots);
     }
     if let Some(disc) = selected {
         dots.circle(map.at(disc.at), map.radii(disc.radius), Ink::Selected);
@@ -268,16 +269,9 @@ fn draw_bars(picture: &Picture, app: &App, mean: f64, map: &Map, dots: &mut Dots
     }
 }
 
-/// Speed that the longest stroke stands for [m/s]: a round number, so that strokes keep their length
-/// while the largest velocity varies a little.
-fn velocity_scale(picture: &Picture) -> f64 {
-    let speeds = picture.discs.iter().map(speed).filter(|v| v.is_finite());
-    round_up(speeds.fold(0.0, f64::max))
-}
-
 /// Strokes from the centres.
-fn draw_velocities(picture: &Picture, map: &Map, dots: &mut Dots) {
-    let scale = STROKE * map.cell / velocity_scale(picture);
+fn draw_velocities(picture: &Picture, fastest: f64, map: &Map, dots: &mut Dots) {
+    let scale = STROKE * map.cell / fastest;
     for disc in &picture.discs {
         let from = map.at(disc.at);
         let down = map.per_metre[1] / map.per_metre[0];
@@ -289,10 +283,6 @@ fn draw_velocities(picture: &Picture, map: &Map, dots: &mut Dots) {
             dots.line(from, to, Ink::Velocity);
         }
     }
-}
-
-fn speed(disc: &Disc) -> f64 {
-    (disc.velocity[0] * disc.velocity[0] + disc.velocity[1] * disc.velocity[1]).sqrt()
 }
 
 /// The number of the selected disc, in its middle.
@@ -323,7 +313,7 @@ fn about(disc: &Disc, touches: &[Touch]) -> String {
         disc.id,
         short(disc.at[0]),
         short(disc.at[1]),
-        short(speed(disc)),
+        short(disc.speed()),
         short(size),
     )
 }
