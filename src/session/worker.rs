@@ -235,8 +235,7 @@ impl Desk {
                     Err(RecvTimeoutError::Disconnected) => return false,
                 }
             };
-            // What is seen of a moving assembly changes by itself, too: nobody waits for that.
-            if !matches!(order, Order::Wants(_)) {
+            if order.is_urgent() {
                 self.turns.await_answer();
             }
             if !self.carry_out(order) {
