@@ -13,13 +13,14 @@ const UNFAIR: usize = 4;
 
 /// Pairs of one part of a list.
 pub(super) fn pairs(total: usize, parts: usize, part: usize) -> std::ops::Range<usize> {
-    let cut = |part: usize| {
-        if part == parts {
-            return total;
-        }
-        total * part / parts / BLOCK * BLOCK
+    let fair = share(total, parts, part);
+    let whole = |cut: usize| cut / BLOCK * BLOCK;
+    let end = if part + 1 < parts {
+        whole(fair.end)
+    } else {
+        total
     };
-    cut(part)..cut(part + 1)
+    whole(fair.start)..end
 }
 
 /// Particles of one part: those from the first body of its first pair, `pairs` ascending.
@@ -29,16 +30,14 @@ pub(super) fn particles(
     parts: usize,
     part: usize,
 ) -> std::ops::Range<usize> {
-    let cut = |part: usize| {
-        if part == 0 || part == parts {
-            return count * part / parts;
-        }
-        let fair = share(count, parts, part).start;
-        let most = count / parts / (2 * UNFAIR);
-        let first = list.get(pairs(list.len(), parts, part).start);
-        first.map_or(fair, |&[i, _]| (i as usize).clamp(fair - most, fair + most))
+    let fair = share(count, parts, part);
+    // Either end moves, each by half of it.
+    let most = count / parts / (2 * UNFAIR);
+    let cut = |fair: usize, part: usize| match list.get(pairs(list.len(), parts, part).start) {
+        Some(&[i, _]) if 0 < part && part < parts => (i as usize).clamp(fair - most, fair + most),
+        _ => fair,
     };
-    cut(part)..cut(part + 1)
+    cut(fair.start, part)..cut(fair.end, part + 1)
 }
 
 #[cfg(test)]
