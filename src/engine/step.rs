@@ -68,7 +68,7 @@ impl World {
 
     fn motion(&mut self) -> Result<(), Fault> {
         let watch = self.pass_over_particles(motion::advance);
-        self.seen.is_current();
+        self.seen.have_followed();
         self.note_fracc(&watch);
         self.cycle += 1;
         self.first_kick = false;

@@ -5,6 +5,7 @@ use ballast::engine::setup::{BoundarySetup, Damping, Dashpot, ParticleSetup, Set
 use ballast::measure::fabric::Fabric;
 use ballast::measure::region::{Content, Shape};
 use ballast::measure::stress::Stress;
+use ballast::record::checkpoint::{decode, encode};
 
 use crate::common::{law, material, moving, particle, scene};
 
@@ -181,6 +182,58 @@ fn neither_the_halo_nor_threads_change_a_bit() {
         })
         .collect();
     assert!(hashes.iter().all(|hash| *hash == hashes[0]), "{hashes:?}");
+}
+
+/// So many discs that four threads have a stretch each, on their ways through the edges of a sheared cell.
+fn many(threads: usize) -> World {
+    let row = D * 3f64.sqrt() / 2.0;
+    let mut setup = packed([D, 0.0], [0.5 * D, row], [26, 24], 0.8);
+    for (k, disc) in setup.particles.iter_mut().enumerate() {
+        disc.velocity = [(k % 7) as f64 - 3.0, (k % 5) as f64 - 2.0];
+    }
+    setup.strain_rate = [[0.05, 0.01], [0.0, -0.03]];
+    let world = World::build(setup, threads).expect("the scene is sound");
+    let (team, all) = (world.threads(), world.particles().len());
+    assert!(team == threads && all / threads > 128, "{team} threads");
+    world
+}
+
+fn go(world: &mut World, cycles: u32) -> u64 {
+    for _ in 0..cycles {
+        world.cycle().expect("the scene is sound");
+    }
+    world.state_hash()
+}
+
+#[test]
+fn images_follow_whichever_thread_moves_their_particles() {
+    let hashes = [1, 2, 3, 4].map(|threads| go(&mut many(threads), 500));
+    assert_eq!(hashes, [hashes[0]; 4]);
+}
+
+#[test]
+fn images_stand_where_they_should_after_every_change() {
+    let stored = |world: &World| {
+        let mut stored: World = decode(&encode(world).unwrap()).unwrap();
+        assert!(stored.unpack(world.threads()));
+        stored
+    };
+    for threads in [1, 4] {
+        let mut world = many(threads);
+        let changes: [fn(&mut World); 4] = [
+            |world| world.delete(300),
+            |world| world.set_boundary(None),
+            |world| world.set_boundary(Some(cell([[26.0 * D, 0.0], [12.0 * D, 42.0]]))),
+            |world| world.set_radius(0, 0.95),
+        ];
+        for change in changes {
+            go(&mut world, 50);
+            change(&mut world);
+            // What was read from a checkpoint has looked for its images anew.
+            let mut other = stored(&world);
+            assert_eq!(go(&mut world, 50), go(&mut other, 50));
+        }
+    }
 }
 
 /// The cell of one disc and that of many are the same material in every cycle of a compression.

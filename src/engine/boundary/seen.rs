@@ -32,14 +32,15 @@ impl Seen {
             .extend(beyond.map(|(pair, image)| (pair[1], image)));
         self.images.sort_unstable();
         self.images.dedup();
-        let row = |j: u32, image: Image| match self.images.binary_search(&(j, image)) {
-            Ok(place) => particles + place as u32,
-            Err(_) => j,
+        let row = |j: u32, image: Image| {
+            if image == HERE {
+                return j;
+            }
+            particles + self.images.partition_point(|seen| *seen < (j, image)) as u32
         };
         self.pairs.clear();
-        self.pairs.extend(
-            all().map(|(&[i, j], image)| [i, if image == HERE { j } else { row(j, image) }]),
-        );
+        self.pairs
+            .extend(all().map(|(&[i, j], image)| [i, row(j, image)]));
         rows.show(self.images.len());
         self.current = false;
     }
@@ -67,7 +68,7 @@ impl Seen {
     }
 
     /// That was done.
-    pub(in crate::engine) fn is_current(&mut self) {
+    pub(in crate::engine) fn have_followed(&mut self) {
         self.current = true;
     }
 }
