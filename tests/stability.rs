@@ -312,6 +312,9 @@ proptest! {
         // As derived where the bound is worked out.
         let worst = if dashpot == 0.0 { 0.5f64.sqrt() } else { 1.0 / (1.0 + 3f64.sqrt()) };
         prop_assert!(bound >= worst * limit * (1.0 - 1e-6), "bound {bound}, limit {limit}");
+        // Particles that cannot decide are left out on the way: to the bit it is the least of all.
+        let each = (0..world.particles().len()).map(|p| world.stable_step_of(p));
+        prop_assert_eq!(world.stable_step(), each.fold(f64::INFINITY, f64::min));
     }
 }
 
