@@ -124,6 +124,15 @@ impl<L: Written<f64>> Parameters<L> {
         numbers
     }
 
+    /// Of each number the value that all contacts have, if they have one.
+    pub(super) fn common(&self) -> [Option<f64>; MOST] {
+        let mut common = [None; MOST];
+        for (common, shared) in common.iter_mut().zip(&self.columns) {
+            *common = shared.numbers.first().copied().filter(|_| !shared.each);
+        }
+        common
+    }
+
     /// The columns, for the loop.
     #[inline]
     pub(super) fn columns(&self) -> [Column; MOST] {

@@ -34,6 +34,11 @@ impl<V: Lanes> Dashpots<V> for Undamped {
 
 impl Viscosity for Undamped {
     type On<V: Lanes> = Self;
+    type Plain<V: Lanes> = Self;
+
+    fn all_plain(_: &[Option<f64>]) -> bool {
+        false
+    }
 
     fn prepare(_: &Basis<'_>) -> Self {
         Self
@@ -70,6 +75,11 @@ impl Rule {
             centre: if pair.centred { 0.5 / basis.m_eff } else { 0.0 },
         }
     }
+}
+
+impl Rule {
+    /// Neither critical anywhere nor pulling nor centred.
+    const PLAIN: [Option<f64>; 3] = [Some(f64::INFINITY), Some(0.0), Some(0.0)];
 }
 
 impl<V: Lanes> Rule<V> {
@@ -137,8 +147,45 @@ impl<V: Lanes> Dashpots<V> for Constant<V> {
     }
 }
 
+/// The same without the rest of the rule.
+#[derive(Debug, Clone, Copy)]
+pub struct PlainConstant<V>([V; 2]);
+
+impl<V: Lanes> Numbers<V> for PlainConstant<V> {
+    const COUNT: usize = <Constant<V> as Numbers<V>>::COUNT;
+
+    #[inline(always)]
+    fn take(from: &mut Reading) -> Self {
+        let c = <[V; 2]>::take(from);
+        from.skip(<Self as Numbers<V>>::COUNT - 2);
+        Self(c)
+    }
+}
+
+impl<V: Lanes> Dashpots<V> for PlainConstant<V> {
+    #[inline(always)]
+    fn normal(&self, elastic: V, _: V, touch: &Touch<V>) -> V {
+        (elastic + self.0[0] * touch.approach).positive()
+    }
+
+    #[inline(always)]
+    fn rubs(&self, _: &Touch<V>) -> bool {
+        any(self.0[1])
+    }
+
+    #[inline(always)]
+    fn tangential(&self, _: V, touch: &Touch<V>) -> V {
+        self.0[1] * touch.slide
+    }
+}
+
 impl Viscosity for Constant {
     type On<V: Lanes> = Constant<V>;
+    type Plain<V: Lanes> = PlainConstant<V>;
+
+    fn all_plain(common: &[Option<f64>]) -> bool {
+        common[4..] == Rule::PLAIN
+    }
 
     fn prepare(basis: &Basis<'_>) -> Self {
         let Basis { pair, m_eff, .. } = basis;
@@ -222,8 +269,49 @@ impl<V: Lanes> Dashpots<V> for Following<V> {
     }
 }
 
+/// The same without the rest of the rule.
+#[derive(Debug, Clone, Copy)]
+pub struct PlainFollowing<V>([V; 2]);
+
+impl<V: Lanes> Numbers<V> for PlainFollowing<V> {
+    const COUNT: usize = <Following<V> as Numbers<V>>::COUNT;
+
+    #[inline(always)]
+    fn take(from: &mut Reading) -> Self {
+        let gauge = <[V; 2]>::take(from);
+        from.skip(<Self as Numbers<V>>::COUNT - 2);
+        Self(gauge)
+    }
+}
+
+impl<V: Lanes> Dashpots<V> for PlainFollowing<V> {
+    #[inline(always)]
+    fn normal(&self, elastic: V, stiffness: V, touch: &Touch<V>) -> V {
+        if any(self.0[0]) {
+            (elastic + self.0[0] * stiffness.sqrt() * touch.approach).positive()
+        } else {
+            elastic.positive()
+        }
+    }
+
+    #[inline(always)]
+    fn rubs(&self, _: &Touch<V>) -> bool {
+        any(self.0[1])
+    }
+
+    #[inline(always)]
+    fn tangential(&self, stiffness: V, touch: &Touch<V>) -> V {
+        self.0[1] * stiffness.sqrt() * touch.slide
+    }
+}
+
 impl Viscosity for Following {
     type On<V: Lanes> = Following<V>;
+    type Plain<V: Lanes> = PlainFollowing<V>;
+
+    fn all_plain(common: &[Option<f64>]) -> bool {
+        common[3..5] == [Some(0.0); 2] && common[5..] == Rule::PLAIN
+    }
 
     fn prepare(basis: &Basis<'_>) -> Self {
         let pair = basis.pair;

@@ -14,7 +14,8 @@ use super::columns::MOST;
 use super::geometry::{Geometry, lane_of};
 use super::law::{Law, React};
 use super::memory::Memory;
-use super::numbers::{Column, Numbers, Reading, Writing};
+use super::numbers::{Column, Reading, Writing};
+use super::parts::Held;
 use super::pass::View;
 use super::quantities::{Reaction, Touch};
 use crate::engine::boundary::straining::velocity;
@@ -33,6 +34,8 @@ pub(super) struct Kernel<'a, L: Law> {
     pub(super) view: View<'a>,
     /// Parameters of pairs, and of contacts with walls (counted from their own first).
     pub(super) laws: [[Column; MOST]; 2],
+    /// Whether all pairs are plain.
+    pub(super) plain: bool,
     pub(super) memory: [Column; MOST],
     pub(super) whole: *mut <L::Memo as Memory>::Whole,
     pub(super) book: *mut Book,
@@ -81,10 +84,22 @@ impl<L: Law> Kernel<'_, L> {
             unsafe {
                 match isa {
                     #[cfg(target_arch = "x86_64")]
-                    Isa::Avx512 if Isa::Avx512.is_here() => self.with_eight::<BOOK>(from, last),
+                    Isa::Avx512 if Isa::Avx512.is_here() => {
+                        if self.plain && !BOOK {
+                            self.plain_eight(from, last);
+                        } else {
+                            self.with_eight::<BOOK>(from, last);
+                        }
+                    }
                     #[cfg(target_arch = "x86_64")]
-                    Isa::Avx2 if Isa::Avx2.is_here() => self.with_four::<BOOK>(from, last),
-                    _ => self.pairs::<f64, BOOK>(from, last),
+                    Isa::Avx2 if Isa::Avx2.is_here() => {
+                        if self.plain && !BOOK {
+                            self.plain_four(from, last);
+                        } else {
+                            self.with_four::<BOOK>(from, last);
+                        }
+                    }
+                    _ => self.pairs::<f64, L::On<f64>, BOOK>(from, last),
                 }
             }
         }
@@ -98,18 +113,35 @@ impl<L: Law> Kernel<'_, L> {
     #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2")]
     unsafe fn with_eight<const BOOK: bool>(&self, from: usize, to: usize) {
         // SAFETY: the caller's.
-        unsafe { self.pairs::<Eight, BOOK>(from, to) }
+        unsafe { self.pairs::<Eight, L::On<Eight>, BOOK>(from, to) }
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2")]
+    unsafe fn plain_eight(&self, from: usize, to: usize) {
+        // SAFETY: the caller's.
+        unsafe { self.pairs::<Eight, L::Plain<Eight>, false>(from, to) }
     }
 
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2")]
     unsafe fn with_four<const BOOK: bool>(&self, from: usize, to: usize) {
         // SAFETY: the caller's.
-        unsafe { self.pairs::<Four, BOOK>(from, to) }
+        unsafe { self.pairs::<Four, L::On<Four>, BOOK>(from, to) }
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx2")]
+    unsafe fn plain_four(&self, from: usize, to: usize) {
+        // SAFETY: the caller's.
+        unsafe { self.pairs::<Four, L::Plain<Four>, false>(from, to) }
     }
 
     #[inline(always)]
-    unsafe fn pairs<V: Lanes, const BOOK: bool>(&self, from: usize, to: usize) {
+    unsafe fn pairs<V: Lanes, R, const BOOK: bool>(&self, from: usize, to: usize)
+    where
+        R: React<V, Memory = Held<L::Memo, V>>,
+    {
         let mut k = from;
         let mut seen = [Geometry::<V>::nowhere(); AT_ONCE];
         // SAFETY: the caller's; blocks end before `to`.
@@ -124,14 +156,14 @@ impl<L: Law> Kernel<'_, L> {
                     self.look::<V>(k, seen);
                 }
                 for (block, seen) in seen.iter().enumerate().take(blocks) {
-                    self.pair::<V, BOOK>(k + block * V::COUNT, seen);
+                    self.pair::<V, R, BOOK>(k + block * V::COUNT, seen);
                 }
                 k += blocks * V::COUNT;
             }
             let mut alone = Geometry::<f64>::nowhere();
             while k < to {
                 self.look::<f64>(k, &mut alone);
-                self.pair::<f64, BOOK>(k, &alone);
+                self.pair::<f64, L::On<f64>, BOOK>(k, &alone);
                 k += 1;
             }
         }
@@ -221,7 +253,10 @@ impl<L: Law> Kernel<'_, L> {
     }
 
     #[inline(always)]
-    unsafe fn pair<V: Lanes, const BOOK: bool>(&self, k: usize, seen: &Geometry<V>) {
+    unsafe fn pair<V: Lanes, R, const BOOK: bool>(&self, k: usize, seen: &Geometry<V>)
+    where
+        R: React<V, Memory = Held<L::Memo, V>>,
+    {
         // SAFETY: the caller's: a block of pairs.
         unsafe {
             let stood = self.stood(k, V::COUNT);
@@ -229,7 +264,7 @@ impl<L: Law> Kernel<'_, L> {
                 return self.rest::<BOOK>(k, V::COUNT);
             }
             let laws = Reading::at(self.laws[0].as_ptr(), k);
-            self.react::<V, BOOK>(k, laws, seen, stood);
+            self.react::<V, R, BOOK>(k, laws, seen, stood);
         }
     }
 
@@ -272,25 +307,27 @@ impl<L: Law> Kernel<'_, L> {
                 arm: 1.0,
             };
             let laws = Reading::at(self.laws[1].as_ptr(), w);
-            self.react::<f64, BOOK>(k, laws, &geometry, stood);
+            self.react::<f64, L::On<f64>, BOOK>(k, laws, &geometry, stood);
         }
     }
 
     #[inline(always)]
-    unsafe fn react<V: Lanes, const BOOK: bool>(
+    unsafe fn react<V: Lanes, R, const BOOK: bool>(
         &self,
         k: usize,
         mut laws: Reading,
         g: &Geometry<V>,
         stood: u64,
-    ) {
+    ) where
+        R: React<V, Memory = Held<L::Memo, V>>,
+    {
         // SAFETY: the caller's: a block of contacts, with parameters where `laws` stands.
         unsafe {
             let zero = V::all(0.0);
             let touching = g.touching;
             let touch = g.touch(self.view.dt);
             let parameters = laws;
-            let law = L::On::<V>::take(&mut laws);
+            let law = R::take(&mut laws);
             let columns = self.memory.as_ptr();
             let whole = self.whole.wrapping_add(k);
             let mut memory = L::Memo::lanes::<V>(&mut Reading::at(columns, k), whole);

@@ -29,6 +29,10 @@ pub trait Law: Written<f64> + Send + Sync + 'static {
     type Memo: Memory;
     /// In lanes.
     type On<V: Lanes>: React<V, Memory = Held<Self::Memo, V>>;
+    /// In lanes, where all contacts are plain: with fewer numbers to read, and the same bits.
+    type Plain<V: Lanes>: React<V, Memory = Held<Self::Memo, V>>;
+    /// Whether all contacts are, told of each number the value that all have, if they have one.
+    fn all_plain(common: &[Option<f64>]) -> bool;
     /// From the parameters of the pair.
     fn prepare(basis: &Basis<'_>) -> Self;
     /// The pair has come apart: the energy lost by sliding and by slip [J].
@@ -165,6 +169,11 @@ where
 impl<N: Normal, T: Tangential, R: Rolling, D: Viscosity> Law for Contact<N, T, R, D> {
     type Memo = (N::Memo, T::Memo, R::Memo);
     type On<V: Lanes> = Contact<N::On<V>, T::On<V>, R::On<V>, D::On<V>>;
+    type Plain<V: Lanes> = Contact<N::On<V>, T::On<V>, R::On<V>, D::Plain<V>>;
+
+    fn all_plain(common: &[Option<f64>]) -> bool {
+        D::all_plain(&common[common.len() - <D as Numbers<f64>>::COUNT..])
+    }
 
     fn prepare(basis: &Basis<'_>) -> Self {
         Self {

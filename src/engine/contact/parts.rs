@@ -143,6 +143,10 @@ pub trait Dashpots<V: Lanes>: Numbers<V> {
 pub trait Viscosity: Written<f64> + Send + Sync + 'static {
     /// In lanes.
     type On<V: Lanes>: Dashpots<V>;
+    /// In lanes, where all contacts are plain: with fewer numbers to read, and the same bits.
+    type Plain<V: Lanes>: Dashpots<V>;
+    /// Whether all contacts are, told of each number the value that all have, if they have one.
+    fn all_plain(common: &[Option<f64>]) -> bool;
     /// From the parameters of the pair.
     fn prepare(basis: &Basis<'_>) -> Self;
     /// Viscosities beside springs of these stiffnesses [N s/m].

@@ -172,6 +172,7 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
         let kernel = Kernel::<L> {
             view,
             laws: [self.laws[0].columns(), self.laws[1].columns()],
+            plain: L::all_plain(&self.laws[0].common()[..L::COUNT]),
             memory,
             whole,
             book: self.book.as_mut_ptr(),
