@@ -70,6 +70,7 @@ numbers!(HertzMindlin<const KEEP> { mindlin: V, friction: V, cohesion: V });
 impl<V: Lanes, const KEEP: bool> TangentialForce<V> for HertzMindlin<V, KEEP> {
     type Memory = HeldShear<V>;
     const ACTIVE: bool = true;
+    const WITHIN: bool = true;
 
     #[inline(always)]
     fn force(&self, touch: &Touch<V>, load: &Load<V>, memory: &mut HeldShear<V>) -> Shear<V> {

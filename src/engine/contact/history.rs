@@ -34,8 +34,9 @@ pub(super) fn follow<V: Lanes>(old: V, before: V, k: V, rescale: bool, d: V, lim
         old
     };
     let trial = start + k * d;
-    let sliding = trial.abs().above(limit);
-    let force = V::pick(sliding, limit.copysign(trial), trial);
+    let size = trial.abs();
+    let sliding = size.above(limit);
+    let force = limit.smaller(size).copysign(trial);
     let gross = half * (start + force) * ((trial - force) / k);
     let slip = half * (old - start) * d + half * (old * old / before - start * start / k);
     Kept {

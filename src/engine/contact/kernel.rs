@@ -233,7 +233,9 @@ impl<L: Law> Kernel<'_, L> {
         let square = d[0] * d[0] + d[1] * d[1];
         let distance = square.sqrt();
         let overlap = reach - distance;
-        let apart = square.at_least(reach * reach) | V::all(0.0).at_least(overlap);
+        // That D² is not below (R1 + R2)², both rounded, need not be asked: then D as rounded is not
+        // below R1 + R2 either, as the root of a rounded square is the number itself.
+        let apart = V::all(0.0).at_least(overlap);
         // One division for all three: D, R1 + R2 and their ratio.
         let inverse = V::all(1.0) / (reach * distance);
         let per_distance = reach * inverse;

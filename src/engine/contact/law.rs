@@ -138,8 +138,12 @@ where
         let roll = self.rolling.moment(touch, &load, roll_memory);
         // No contact carries more than its friction limit, whatever carries it: without friction
         // there is no tangential dashpot either, and none kicks at the first touch.
-        let sliding = shear.sliding | shear.force.abs().above(shear.limit);
-        let limit = shear.limit.copysign(shear.force);
+        let (sliding, limit) = if T::WITHIN {
+            (shear.sliding, shear.force)
+        } else {
+            let beyond = shear.force.abs().above(shear.limit);
+            (shear.sliding | beyond, shear.limit.copysign(shear.force))
+        };
         let (carried, drag) = if !T::ACTIVE {
             (limit, zero)
         } else if self.dashpot.rubs(touch) {

@@ -170,6 +170,7 @@ numbers!(Frictionless);
 impl<V: Lanes> TangentialForce<V> for Frictionless {
     type Memory = ();
     const ACTIVE: bool = false;
+    const WITHIN: bool = true;
 
     #[inline(always)]
     fn force(&self, _: &Touch<V>, _: &Load<V>, (): &mut ()) -> Shear<V> {
@@ -256,6 +257,7 @@ numbers!(LinearShear {
 impl<V: Lanes> TangentialForce<V> for LinearShear<V> {
     type Memory = ShearForce<V>;
     const ACTIVE: bool = true;
+    const WITHIN: bool = true;
 
     #[inline(always)]
     fn force(&self, touch: &Touch<V>, load: &Load<V>, memory: &mut ShearForce<V>) -> Shear<V> {
@@ -263,8 +265,9 @@ impl<V: Lanes> TangentialForce<V> for LinearShear<V> {
         let old = memory.force;
         let trial = old + self.k * (touch.slide * touch.dt);
         let limit = load.limit(self.friction, self.cohesion);
-        let over = trial.abs().above(limit);
-        let force = V::pick(over, limit.copysign(trial), trial);
+        let size = trial.abs();
+        let over = size.above(limit);
+        let force = limit.smaller(size).copysign(trial);
         memory.force = force;
         // Without a spring (friction switched off under load) what was held is simply dropped.
         let sliding = over & self.k.above(zero);

@@ -56,6 +56,8 @@ pub trait TangentialForce<V: Lanes>: Numbers<V> {
     type Memory;
     /// Whether it can carry a force at all: without it no spin is needed.
     const ACTIVE: bool;
+    /// Whether the force is never beyond the limit that it comes with, and at it where it slides.
+    const WITHIN: bool = false;
     /// Advances the memory by one step and answers.
     fn force(&self, touch: &Touch<V>, load: &Load<V>, memory: &mut Self::Memory) -> Shear<V>;
     /// Stiffness without slip at this overlap, not below zero: no tangent is stiffer [N/m].

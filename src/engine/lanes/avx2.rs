@@ -4,10 +4,10 @@ use std::arch::x86_64::{
     __m256d, _CMP_EQ_OQ, _CMP_GE_OQ, _CMP_GT_OQ, _mm_loadu_pd, _mm256_add_pd, _mm256_and_pd,
     _mm256_and_si256, _mm256_andnot_pd, _mm256_blend_pd, _mm256_blendv_pd, _mm256_castsi256_pd,
     _mm256_cmp_pd, _mm256_cmpeq_epi64, _mm256_div_pd, _mm256_load_pd, _mm256_loadu_pd,
-    _mm256_max_pd, _mm256_movemask_pd, _mm256_mul_pd, _mm256_or_pd, _mm256_permute_pd,
-    _mm256_permute2f128_pd, _mm256_permute4x64_pd, _mm256_set_epi64x, _mm256_set1_epi64x,
-    _mm256_set1_pd, _mm256_sqrt_pd, _mm256_storeu_pd, _mm256_sub_pd, _mm256_unpackhi_pd,
-    _mm256_unpacklo_pd, _mm256_xor_pd, _mm256_zextpd128_pd256,
+    _mm256_max_pd, _mm256_min_pd, _mm256_movemask_pd, _mm256_mul_pd, _mm256_or_pd,
+    _mm256_permute_pd, _mm256_permute2f128_pd, _mm256_permute4x64_pd, _mm256_set_epi64x,
+    _mm256_set1_epi64x, _mm256_set1_pd, _mm256_sqrt_pd, _mm256_storeu_pd, _mm256_sub_pd,
+    _mm256_unpackhi_pd, _mm256_unpacklo_pd, _mm256_xor_pd, _mm256_zextpd128_pd256,
 };
 
 use super::{Lanes, Meeting, Quad, arithmetic, plain_members};
@@ -92,7 +92,9 @@ impl Lanes for Four {
         _mm256_sqrt_pd,
         _mm256_and_pd,
         _mm256_andnot_pd,
-        _mm256_or_pd
+        _mm256_or_pd,
+        _mm256_max_pd,
+        _mm256_min_pd
     );
 
     #[inline(always)]
@@ -200,11 +202,6 @@ impl Quad for Four {
     #[inline(always)]
     fn swapped(self) -> Self {
         Self(unsafe { _mm256_permute_pd::<0b0101>(self.0) })
-    }
-
-    #[inline(always)]
-    fn larger(self, other: Self) -> Self {
-        Self(unsafe { _mm256_max_pd(self.0, other.0) })
     }
 
     #[inline(always)]

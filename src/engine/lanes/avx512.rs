@@ -3,9 +3,10 @@
 use std::arch::x86_64::{
     __m512d, __mmask8, _CMP_EQ_OQ, _CMP_GE_OQ, _CMP_GT_OQ, _mm256_loadu_pd, _mm512_add_pd,
     _mm512_and_pd, _mm512_andnot_pd, _mm512_castpd256_pd512, _mm512_cmp_pd_mask, _mm512_div_pd,
-    _mm512_insertf64x4, _mm512_load_pd, _mm512_loadu_pd, _mm512_mask_add_pd, _mm512_mask_blend_pd,
-    _mm512_mul_pd, _mm512_or_pd, _mm512_set1_pd, _mm512_shuffle_f64x2, _mm512_sqrt_pd,
-    _mm512_storeu_pd, _mm512_sub_pd, _mm512_unpackhi_pd, _mm512_unpacklo_pd, _mm512_xor_pd,
+    _mm512_insertf64x4, _mm512_load_pd, _mm512_loadu_pd, _mm512_mask_blend_pd, _mm512_max_pd,
+    _mm512_min_pd, _mm512_mul_pd, _mm512_or_pd, _mm512_set1_pd, _mm512_setr_pd,
+    _mm512_shuffle_f64x2, _mm512_sqrt_pd, _mm512_storeu_pd, _mm512_sub_pd, _mm512_unpackhi_pd,
+    _mm512_unpacklo_pd, _mm512_xor_pd,
 };
 
 use super::{Lanes, Meeting, arithmetic, plain_members};
@@ -68,14 +69,16 @@ unsafe fn odd(a: __m512d, b: __m512d) -> __m512d {
     unsafe { _mm512_shuffle_f64x2::<0b11_01_11_01>(a, b) }
 }
 
-/// One pair; a row is a register. First less second, but sums of radii and of the speeds of rims.
+/// One pair; a row is a register. First less second, but sums of radii and of the speeds of rims:
+/// a change of signs and a sum, as the former delays no other sum.
 #[inline(always)]
 unsafe fn pair(rows: *const Row, [i, j]: [u32; 2]) -> __m512d {
     // SAFETY: the caller has AVX-512, and rows at both indices.
     unsafe {
+        let signs = _mm512_setr_pd(-0.0, -0.0, -0.0, 0.0, -0.0, -0.0, -0.0, 0.0);
         let a = _mm512_load_pd(rows.add(i as usize).cast());
         let b = _mm512_load_pd(rows.add(j as usize).cast());
-        _mm512_mask_add_pd(_mm512_sub_pd(a, b), 0b1000_1000, a, b)
+        _mm512_add_pd(a, _mm512_xor_pd(b, signs))
     }
 }
 
@@ -106,7 +109,9 @@ impl Lanes for Eight {
         _mm512_sqrt_pd,
         _mm512_and_pd,
         _mm512_andnot_pd,
-        _mm512_or_pd
+        _mm512_or_pd,
+        _mm512_max_pd,
+        _mm512_min_pd
     );
 
     #[inline(always)]

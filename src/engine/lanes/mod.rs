@@ -78,6 +78,10 @@ pub trait Lanes:
     fn equals(self, other: Self) -> Self::Mask;
     /// `yes` where the mask says so, else `no`.
     fn pick(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    /// The larger; the other if either is not a number, or both are equal.
+    fn larger(self, other: Self) -> Self;
+    /// The smaller; the other if either is not a number, or both are equal.
+    fn smaller(self, other: Self) -> Self;
     /// The mask as bits, lane 0 lowest.
     fn bits(mask: Self::Mask) -> u32;
     /// What pairs of particles see of each other.
@@ -138,7 +142,7 @@ pub trait Lanes:
     /// Greater than zero, else zero.
     #[inline(always)]
     fn positive(self) -> Self {
-        Self::pick(self.above(Self::all(0.0)), self, Self::all(0.0))
+        self.larger(Self::all(0.0))
     }
 }
 
@@ -177,7 +181,7 @@ use arithmetic;
 /// Members of [`Lanes`] that are one instruction or two, whatever the width.
 #[cfg(target_arch = "x86_64")]
 macro_rules! plain_members {
-    ($all:ident, $read:ident, $write:ident, $root:ident, $and:ident, $and_not:ident, $or:ident) => {
+    ($all:ident, $read:ident, $write:ident, $root:ident, $and:ident, $and_not:ident, $or:ident, $max:ident, $min:ident) => {
         #[inline(always)]
         fn all(x: f64) -> Self {
             // SAFETY: lanes of this width exist only where the processor has them.
@@ -206,6 +210,18 @@ macro_rules! plain_members {
         fn abs(self) -> Self {
             // SAFETY: as above.
             Self(unsafe { $and_not($all(-0.0), self.0) })
+        }
+
+        #[inline(always)]
+        fn larger(self, other: Self) -> Self {
+            // SAFETY: as above.
+            Self(unsafe { $max(self.0, other.0) })
+        }
+
+        #[inline(always)]
+        fn smaller(self, other: Self) -> Self {
+            // SAFETY: as above.
+            Self(unsafe { $min(self.0, other.0) })
         }
 
         #[inline(always)]

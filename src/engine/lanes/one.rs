@@ -60,6 +60,16 @@ impl Lanes for f64 {
     }
 
     #[inline(always)]
+    fn larger(self, other: Self) -> Self {
+        if self > other { self } else { other }
+    }
+
+    #[inline(always)]
+    fn smaller(self, other: Self) -> Self {
+        if self < other { self } else { other }
+    }
+
+    #[inline(always)]
     fn bits(mask: bool) -> u32 {
         u32::from(mask)
     }

@@ -20,9 +20,6 @@ pub trait Quad: Lanes {
     /// First and second number exchanged, and third and fourth.
     #[must_use]
     fn swapped(self) -> Self;
-    /// The larger ones of both; the other's where one is not a number.
-    #[must_use]
-    fn larger(self, other: Self) -> Self;
     /// Four numbers.
     #[inline(always)]
     fn of_four(numbers: [f64; 4]) -> Self {
@@ -154,6 +151,16 @@ impl Lanes for Plain {
     }
 
     #[inline(always)]
+    fn larger(self, other: Self) -> Self {
+        Self::pick(self.above(other), self, other)
+    }
+
+    #[inline(always)]
+    fn smaller(self, other: Self) -> Self {
+        Self::pick(other.above(self), self, other)
+    }
+
+    #[inline(always)]
     fn bits(mask: PlainMask) -> u32 {
         (0..4).fold(0, |bits, k| bits | u32::from(mask.0[k]) << k)
     }
@@ -212,11 +219,6 @@ impl Quad for Plain {
     fn swapped(self) -> Self {
         let [a, b, c, d] = self.0;
         Self([b, a, d, c])
-    }
-
-    #[inline(always)]
-    fn larger(self, other: Self) -> Self {
-        Self::pick(self.above(other), self, other)
     }
 
     #[inline(always)]

@@ -22,6 +22,8 @@ fn everything<V: Lanes>(a: &[f64; 8], b: &[f64; 8]) -> Vec<u64> {
             x.sqrt(),
             x.copysign(y),
             x.positive(),
+            x.larger(y),
+            x.smaller(y),
             V::pick(x.above(y), x, y),
             V::pick(!x.above(y) & !x.equals(y), x, V::all(2.0)),
             V::pick(x.equals(y) | y.above(x), V::all(-1.0), y),
@@ -39,12 +41,12 @@ fn everything<V: Lanes>(a: &[f64; 8], b: &[f64; 8]) -> Vec<u64> {
 
 /// Lane by lane, whatever the width: the bits of a column are those of its numbers.
 fn by_number(out: &[u64], count: usize) -> Vec<Vec<u64>> {
-    let block = 12 * count + 1;
+    let block = 14 * count + 1;
     let mut numbers = vec![Vec::new(); 8];
     for (k, part) in out.chunks(block).enumerate() {
         for lane in 0..count {
             let number = &mut numbers[k * count + lane];
-            number.extend((0..12).map(|result| part[result * count + lane]));
+            number.extend((0..14).map(|result| part[result * count + lane]));
             number.push(part[block - 1] >> lane & 1);
         }
     }
