@@ -60,17 +60,20 @@ impl<'a> Gather<'a> {
         }
     }
 
-    /// Asks for the slots of lower particles that somebody further on needs.
+    /// Asks for the slots of lower particles that four further on need: the first three of each, as few
+    /// have more.
     #[inline(always)]
     pub(super) fn ask_for(&self, p: usize) {
         #[cfg(target_arch = "x86_64")]
-        if p + AHEAD < self.particles {
+        if p + AHEAD + 4 <= self.particles {
             use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
-            // SAFETY: there is such a particle; asking for memory is harmless, whatever is there.
-            unsafe {
-                let [a, b, c, d, e, ..] = *self.places.add(p + AHEAD);
-                for slot in [a, b, c, d, e] {
-                    _mm_prefetch::<_MM_HINT_T0>(self.slots.wrapping_add(slot as usize).cast());
+            for p in p + AHEAD..p + AHEAD + 4 {
+                // SAFETY: there is such a particle; asking for memory is harmless, whatever is there.
+                unsafe {
+                    let [a, b, c, ..] = *self.places.add(p);
+                    for slot in [a, b, c] {
+                        _mm_prefetch::<_MM_HINT_T0>(self.slots.wrapping_add(slot as usize).cast());
+                    }
                 }
             }
         }

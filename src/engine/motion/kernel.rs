@@ -106,7 +106,6 @@ struct Loop<'a, Q: Quad, D> {
     part: Q,
     /// Columns of the strain rate that carries all particles, and the point at rest in it.
     flow: Option<[Q; 3]>,
-    watched: Watched<Q>,
 }
 
 #[inline(always)]
@@ -130,7 +129,8 @@ fn run<Q: Quad, D: Drag, const SUM: u8, const MOVE: bool>(
             && (inputs.body.is_empty() || inputs.body.len() == particles),
         "columns of particles differ in length"
     );
-    let mut all = Loop::<Q, D>::new(inputs, drag);
+    let all = Loop::<Q, D>::new(inputs, drag);
+    let mut watched = Watched::<Q>::new(inputs);
     let ask = *ask;
     let (rows, force) = (rows.as_mut_ptr(), force.as_mut_ptr());
     let mut k = 0;
@@ -139,34 +139,32 @@ fn run<Q: Quad, D: Drag, const SUM: u8, const MOVE: bool>(
     unsafe {
         while k + 4 <= count {
             if SUM != DONE && ask {
-                for lane in 0..4 {
-                    all.gather.ask_for(first + k + lane);
-                }
+                all.gather.ask_for(first + k);
             }
             // One by one and by no closure, so that what they leave stays in registers.
             let (p, row, sum) = (first + k, rows.add(k), force.add(k));
             let seen = [
-                all.one::<SUM, MOVE>(p, row, sum),
-                all.one::<SUM, MOVE>(p + 1, row.add(1), sum.add(1)),
-                all.one::<SUM, MOVE>(p + 2, row.add(2), sum.add(2)),
-                all.one::<SUM, MOVE>(p + 3, row.add(3), sum.add(3)),
+                all.one::<SUM, MOVE>(&mut watched, p, row, sum),
+                all.one::<SUM, MOVE>(&mut watched, p + 1, row.add(1), sum.add(1)),
+                all.one::<SUM, MOVE>(&mut watched, p + 2, row.add(2), sum.add(2)),
+                all.one::<SUM, MOVE>(&mut watched, p + 3, row.add(3), sum.add(3)),
             ];
             if SUM >= KEPT && inputs.fracc {
-                all.watched.fracc(inputs.dt, p, &seen);
+                watched.fracc(inputs.dt, p, &seen);
             }
             k += 4;
         }
         let mut seen = [Seen::nobody(); 4];
         let p = first + k;
         for seen in seen.iter_mut().take(count - k) {
-            *seen = all.one::<SUM, MOVE>(first + k, rows.add(k), force.add(k));
+            *seen = all.one::<SUM, MOVE>(&mut watched, first + k, rows.add(k), force.add(k));
             k += 1;
         }
         if SUM >= KEPT && inputs.fracc {
-            all.watched.fracc(inputs.dt, p, &seen);
+            watched.fracc(inputs.dt, p, &seen);
         }
     }
-    all.watched.result()
+    watched.result()
 }
 
 impl<'a, Q: Quad, D: Drag> Loop<'a, Q, D> {
@@ -189,7 +187,6 @@ impl<'a, Q: Quad, D: Drag> Loop<'a, Q, D> {
             dt: Q::all(inputs.dt),
             part: Q::all(inputs.part),
             flow,
-            watched: Watched::new(inputs),
         }
     }
 
@@ -199,7 +196,8 @@ impl<'a, Q: Quad, D: Drag> Loop<'a, Q, D> {
     /// There must be such a particle, and nobody else may work on its row and sum.
     #[inline(always)]
     unsafe fn one<const SUM: u8, const MOVE: bool>(
-        &mut self,
+        &self,
+        watched: &mut Watched<Q>,
         p: usize,
         row: *mut Row,
         force: *mut Sum,
@@ -240,7 +238,7 @@ impl<'a, Q: Quad, D: Drag> Loop<'a, Q, D> {
             moved
                 .with_last(kicked * kicked.swapped())
                 .write(state.add(4));
-            self.watched.speed(kicked);
+            watched.speed(kicked);
             seen
         }
     }
