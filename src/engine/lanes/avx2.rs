@@ -200,6 +200,11 @@ impl Quad for Four {
     }
 
     #[inline(always)]
+    fn turned(self, signs: Self) -> Self {
+        Self(unsafe { _mm256_xor_pd(self.0, _mm256_and_pd(signs.0, _mm256_set1_pd(-0.0))) })
+    }
+
+    #[inline(always)]
     fn swapped(self) -> Self {
         Self(unsafe { _mm256_permute_pd::<0b0101>(self.0) })
     }

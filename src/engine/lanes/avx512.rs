@@ -4,9 +4,9 @@ use std::arch::x86_64::{
     __m512d, __mmask8, _CMP_EQ_OQ, _CMP_GE_OQ, _CMP_GT_OQ, _mm256_loadu_pd, _mm512_add_pd,
     _mm512_and_pd, _mm512_andnot_pd, _mm512_castpd256_pd512, _mm512_cmp_pd_mask, _mm512_div_pd,
     _mm512_insertf64x4, _mm512_load_pd, _mm512_loadu_pd, _mm512_mask_blend_pd, _mm512_max_pd,
-    _mm512_min_pd, _mm512_mul_pd, _mm512_or_pd, _mm512_set1_pd, _mm512_setr_pd,
-    _mm512_shuffle_f64x2, _mm512_sqrt_pd, _mm512_storeu_pd, _mm512_sub_pd, _mm512_unpackhi_pd,
-    _mm512_unpacklo_pd, _mm512_xor_pd,
+    _mm512_min_pd, _mm512_mul_pd, _mm512_or_pd, _mm512_permutex2var_pd, _mm512_set1_pd,
+    _mm512_setr_epi64, _mm512_setr_pd, _mm512_shuffle_f64x2, _mm512_sqrt_pd, _mm512_storeu_pd,
+    _mm512_sub_pd, _mm512_unpackhi_pd, _mm512_unpacklo_pd, _mm512_xor_pd,
 };
 
 use super::{Lanes, Meeting, arithmetic, plain_members};
@@ -204,19 +204,29 @@ impl Lanes for Eight {
     #[inline(always)]
     unsafe fn write_rows([a, b, c, d]: [Self; 4], to: *mut [f64; 4]) {
         unsafe {
-            // Blocks of two numbers: a b of lanes 0 2 4 6, of 1 3 5 7, and the same of c d.
+            // Rows 0 2 4 6 and 1 3 5 7, in halves of two numbers.
             let ab = [_mm512_unpacklo_pd(a.0, b.0), _mm512_unpackhi_pd(a.0, b.0)];
             let cd = [_mm512_unpacklo_pd(c.0, d.0), _mm512_unpackhi_pd(c.0, d.0)];
+            let low = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
+            let high = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
+            let rows_04 = _mm512_permutex2var_pd(ab[0], low, cd[0]);
+            let rows_15 = _mm512_permutex2var_pd(ab[1], low, cd[1]);
+            let rows_26 = _mm512_permutex2var_pd(ab[0], high, cd[0]);
+            let rows_37 = _mm512_permutex2var_pd(ab[1], high, cd[1]);
             let to = to.cast::<f64>();
-            // Lanes 0 2 of both, and 1 3; then 4 6 and 5 7.
-            let first = _mm512_shuffle_f64x2::<0b01_00_01_00>(ab[0], cd[0]);
-            let second = _mm512_shuffle_f64x2::<0b01_00_01_00>(ab[1], cd[1]);
-            _mm512_storeu_pd(to, even(first, second));
-            _mm512_storeu_pd(to.add(8), odd(first, second));
-            let first = _mm512_shuffle_f64x2::<0b11_10_11_10>(ab[0], cd[0]);
-            let second = _mm512_shuffle_f64x2::<0b11_10_11_10>(ab[1], cd[1]);
-            _mm512_storeu_pd(to.add(16), even(first, second));
-            _mm512_storeu_pd(to.add(24), odd(first, second));
+            _mm512_storeu_pd(to, _mm512_shuffle_f64x2::<0b01_00_01_00>(rows_04, rows_15));
+            _mm512_storeu_pd(
+                to.add(8),
+                _mm512_shuffle_f64x2::<0b01_00_01_00>(rows_26, rows_37),
+            );
+            _mm512_storeu_pd(
+                to.add(16),
+                _mm512_shuffle_f64x2::<0b11_10_11_10>(rows_04, rows_15),
+            );
+            _mm512_storeu_pd(
+                to.add(24),
+                _mm512_shuffle_f64x2::<0b11_10_11_10>(rows_26, rows_37),
+            );
         }
     }
 }

@@ -17,6 +17,8 @@ pub trait Quad: Lanes {
     fn with_last(self, other: Self) -> Self;
     /// The first number everywhere, and the second.
     fn spread(self) -> [Self; 2];
+    /// With the other sign where the signs say so.
+    fn turned(self, signs: Self) -> Self;
     /// First and second number exchanged, and third and fourth.
     #[must_use]
     fn swapped(self) -> Self;
@@ -213,6 +215,14 @@ impl Quad for Plain {
     #[inline(always)]
     fn spread(self) -> [Self; 2] {
         [Self([self.0[0]; 4]), Self([self.0[1]; 4])]
+    }
+
+    #[inline(always)]
+    fn turned(self, signs: Self) -> Self {
+        Self(std::array::from_fn(|k| {
+            let sign = signs.0[k].to_bits() & (-0.0f64).to_bits();
+            f64::from_bits(self.0[k].to_bits() ^ sign)
+        }))
     }
 
     #[inline(always)]

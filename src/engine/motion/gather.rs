@@ -13,7 +13,7 @@ use crate::engine::neighbours::list::ContactList;
 use crate::engine::neighbours::whose::{LASTS, NUMBERS, Places, Whose};
 
 /// Signs of force, tangential force and rolling moment on the second body, beside those on the first.
-const SECOND: [f64; 4] = [-1.0, -1.0, 1.0, -1.0];
+const SECOND: [f64; 4] = [-0.0, -0.0, 0.0, -0.0];
 
 /// Particles whose slots are asked for before their turn.
 const AHEAD: usize = 16;
@@ -108,7 +108,7 @@ impl<'a> Gather<'a> {
                 .and::<SIZE>(slot(9));
             Total {
                 // No negative nought, whose sign would depend on what does not touch.
-                force: Q::of_four(SECOND) * second.force + first.force + Q::all(0.0),
+                force: second.force.turned(Q::of_four(SECOND)) + first.force + Q::all(0.0),
                 size: second.size + first.size,
             }
         }
@@ -133,7 +133,7 @@ impl<'a> Gather<'a> {
         let second = sums(pairs(0, LASTS[0]));
         let first = sums(pairs(LASTS[0] + 1, LASTS[1]).chain(walls));
         [
-            [0, 1, 2, 3].map(|k| SECOND[k] * second[0][k] + first[0][k] + 0.0),
+            [0, 1, 2, 3].map(|k| 1f64.copysign(SECOND[k]) * second[0][k] + first[0][k] + 0.0),
             [0, 1, 2, 3].map(|k| second[1][k] + first[1][k]),
         ]
     }
