@@ -2,6 +2,9 @@
 
 use std::process::ExitCode;
 
+#[global_allocator]
+static ALLOCATOR: ballast::cli::LargePages = ballast::cli::LargePages;
+
 fn main() -> ExitCode {
     ballast::cli::main()
 }

@@ -9,6 +9,7 @@ mod bench;
 mod check;
 mod crowd;
 mod export;
+mod large_pages;
 mod lists;
 mod output;
 mod pages;
@@ -28,6 +29,8 @@ use crate::language::command::PictureOf;
 use crate::scene::Seeds;
 use crate::session::Place;
 use clap::{Args, CommandFactory, Parser, Subcommand};
+
+pub use large_pages::LargePages;
 
 /// Bad input or usage.
 const BAD_INPUT: u8 = 2;
