@@ -2,6 +2,7 @@
 
 use std::process::ExitCode;
 
+/// Nothing but speed depends on it, so libraries need not have it.
 #[global_allocator]
 static ALLOCATOR: ballast::cli::LargePages = ballast::cli::LargePages;
 

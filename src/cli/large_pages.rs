@@ -21,59 +21,94 @@ const LARGE: usize = PAGE / 2;
 #[derive(Debug)]
 pub struct LargePages;
 
-/// As the system's allocator is asked for it: a last page that is half full is made a whole one.
-fn placed(layout: Layout) -> Layout {
-    let size = layout.size();
-    if cfg!(target_os = "linux") && size >= LARGE {
-        let whole = size.max(pages(size) * PAGE);
-        Layout::from_size_align(whole, PAGE.max(layout.align())).unwrap_or(layout)
-    } else {
-        layout
-    }
-}
-
-/// Large pages in so many bytes.
-fn pages(size: usize) -> usize {
-    (size + LARGE) / PAGE
-}
-
-/// Asks for large pages for a block.
+/// Bytes that a large block of this size is given: a last page that is half full is made a whole one.
 #[cfg(target_os = "linux")]
-fn advise(block: *mut u8, layout: Layout) {
-    use rustix::mm::{Advice, madvise};
-    if !block.is_null() && layout.align() >= PAGE {
-        let length = pages(layout.size()) * PAGE;
-        // SAFETY: advice changes no contents, and the block is not shorter. Systems without large pages
-        // refuse, which is as good.
-        let _ = unsafe { madvise(block.cast(), length, Advice::LinuxHugepage) };
+fn length(size: usize) -> usize {
+    size.max((size + LARGE) / PAGE * PAGE)
+        .next_multiple_of(4096)
+}
+
+/// A large block, at the beginning of a page; null if there is no memory.
+#[cfg(target_os = "linux")]
+fn map(size: usize) -> *mut u8 {
+    use rustix::mm::{Advice, MapFlags, ProtFlags, madvise, mmap_anonymous, munmap};
+    let length = length(size);
+    let (rights, flags) = (ProtFlags::READ | ProtFlags::WRITE, MapFlags::PRIVATE);
+    // SAFETY: new memory, of which what lies before and behind the block goes back. Advice changes no
+    // contents; systems without large pages refuse, which is as good.
+    unsafe {
+        let null = std::ptr::null_mut();
+        let Ok(start) = mmap_anonymous(null, length + PAGE, rights, flags) else {
+            return null.cast();
+        };
+        let before = start.addr().next_multiple_of(PAGE) - start.addr();
+        let block = start.byte_add(before);
+        if before > 0 {
+            let _ = munmap(start, before);
+        }
+        let _ = munmap(block.byte_add(length), PAGE - before);
+        let _ = madvise(block, length, Advice::LinuxHugepage);
+        block.cast()
     }
 }
 
-#[cfg(not(target_os = "linux"))]
-fn advise(_: *mut u8, _: Layout) {}
+/// Gives a large block back.
+///
+/// # Safety
+/// It must come from [`map`] for so many bytes.
+#[cfg(target_os = "linux")]
+unsafe fn unmap(block: *mut u8, size: usize) {
+    // SAFETY: the caller's.
+    let _ = unsafe { rustix::mm::munmap(block.cast(), length(size)) };
+}
 
-// SAFETY: blocks come from the system's allocator, with at least the alignment asked for, and go back
-// with the layout they came with, which depends on the one asked for only.
+/// Whether a block is asked for in large pages.
+fn is_large(layout: Layout) -> bool {
+    cfg!(target_os = "linux") && layout.size() >= LARGE && layout.align() <= PAGE
+}
+
+// SAFETY: small blocks are those of the system's allocator. Large ones are mapped for themselves, at
+// the beginning of a page, with at least the bytes asked for; which of both follows from the layout.
 unsafe impl GlobalAlloc for LargePages {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        let placed = placed(layout);
+        #[cfg(target_os = "linux")]
+        if is_large(layout) {
+            return map(layout.size());
+        }
         // SAFETY: the caller's: a layout that is not empty.
-        let block = unsafe { System.alloc(placed) };
-        advise(block, placed);
-        block
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
+        #[cfg(target_os = "linux")]
+        if is_large(layout) {
+            // New memory is.
+            return map(layout.size());
+        }
+        // SAFETY: as above.
+        unsafe { System.alloc_zeroed(layout) }
     }
 
     unsafe fn dealloc(&self, block: *mut u8, layout: Layout) {
         // SAFETY: the caller's: a block of this layout.
-        unsafe { System.dealloc(block, placed(layout)) }
+        unsafe {
+            #[cfg(target_os = "linux")]
+            if is_large(layout) {
+                return unmap(block, layout.size());
+            }
+            System.dealloc(block, layout);
+        }
     }
 
     unsafe fn realloc(&self, block: *mut u8, layout: Layout, size: usize) -> *mut u8 {
         // SAFETY: the caller's: a block of this layout, and a size that its alignment allows.
         unsafe {
             let new = Layout::from_size_align_unchecked(size, layout.align());
-            if placed(layout) == layout && placed(new) == new {
-                return System.realloc(block, layout, size);
+            match (is_large(layout), is_large(new)) {
+                (false, false) => return System.realloc(block, layout, size),
+                #[cfg(target_os = "linux")]
+                (true, true) if length(layout.size()) == length(size) => return block,
+                _ => {}
             }
             let moved = self.alloc(new);
             if !moved.is_null() {
@@ -93,7 +128,16 @@ mod tests {
     /// with a page.
     #[test]
     fn blocks_keep_what_is_in_them_when_they_grow_and_shrink() {
-        let sizes = [1, LARGE - 1, LARGE, PAGE + 1, 3 * PAGE, LARGE, 100];
+        let sizes = [
+            1,
+            LARGE - 1,
+            LARGE,
+            PAGE + 1,
+            3 * PAGE - 8,
+            3 * PAGE,
+            LARGE,
+            100,
+        ];
         let layout = |size: usize| Layout::from_size_align(size, 8).expect("a size");
         // SAFETY: sizes are not nought, and each block is used within its size.
         unsafe {

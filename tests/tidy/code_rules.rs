@@ -27,8 +27,9 @@ const LAYERS: [(&str, &str); 11] = [
 ];
 
 /// Files and folders that may hold unsafe code, each added here by hand: the loops over contacts and
-/// particles with what they stand on, and the team of threads.
+/// particles with what they stand on, the team of threads, and the allocator of the program.
 const UNSAFE_FILES: &[&str] = &[
+    "src/cli/large_pages.rs",
     "src/engine/lanes/",
     "src/engine/contact/columns.rs",
     "src/engine/contact/diagram/lanes",
