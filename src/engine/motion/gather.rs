@@ -79,18 +79,21 @@ impl<'a> Gather<'a> {
         }
     }
 
-    /// The sums of particle `p`, with absolute values if `SIZE`: over either kind of its pairs in the order
+    /// The sums of particle `p`, with absolute values if `SIZE`, at walls, too, if `WALLS`: over either kind of its pairs in the order
     /// of the list, so that pairs that do not touch change no bit.
     ///
     /// # Safety
     /// There must be such a particle.
     #[inline(always)]
-    pub(super) unsafe fn of<Q: Quad, const SIZE: bool>(&self, p: usize) -> Total<Q> {
+    pub(super) unsafe fn of<Q: Quad, const SIZE: bool, const WALLS: bool>(
+        &self,
+        p: usize,
+    ) -> Total<Q> {
         // SAFETY: the caller's, and places name slots there are, nobody's included.
         unsafe {
             let places: *const u32 = self.places.add(p).cast();
             let crowded = Whose::is_more(*places.add(LASTS[0]) | *places.add(LASTS[1]));
-            if crowded || self.walls && !self.whose.at_walls(p).is_empty() {
+            if crowded || WALLS && self.walls && !self.whose.at_walls(p).is_empty() {
                 let [force, size] = self.one_by_one(p);
                 return Total {
                     force: Q::of_four(force),

@@ -26,27 +26,31 @@ pub(super) fn advance(inputs: &Inputs<'_>, stretch: &mut Stretch<'_>) -> Watch {
 /// Sums the contact forces only.
 pub(super) fn sum(inputs: &Inputs<'_>, stretch: &mut Stretch<'_>) -> Watch {
     match inputs.sums {
-        Sums::Sized => chosen::<Free, SIZED, false>(inputs, Free, stretch),
-        _ => chosen::<Free, KEPT, false>(inputs, Free, stretch),
+        Sums::Sized => chosen::<Free, SIZED, false, true>(inputs, Free, stretch),
+        _ => chosen::<Free, KEPT, false, true>(inputs, Free, stretch),
     }
 }
 
-/// [`Sums`] as constants.
+/// [`Sums`] as constants. `MORE`: there may be constant forces, walls, resistance to rolling.
 const DONE: u8 = 0;
 const USED: u8 = 1;
 const KEPT: u8 = 2;
 const SIZED: u8 = 3;
 
 fn damped<D: Drag>(inputs: &Inputs<'_>, drag: D, stretch: &mut Stretch<'_>) -> Watch {
+    let contacts = inputs.contacts;
+    let plain = inputs.body.is_empty() && !contacts.rolls && !contacts.whose().meet_walls();
     match inputs.sums {
-        Sums::Done => chosen::<D, DONE, true>(inputs, drag, stretch),
-        Sums::Used => chosen::<D, USED, true>(inputs, drag, stretch),
-        Sums::Kept => chosen::<D, KEPT, true>(inputs, drag, stretch),
-        Sums::Sized => chosen::<D, SIZED, true>(inputs, drag, stretch),
+        Sums::Done => chosen::<D, DONE, true, true>(inputs, drag, stretch),
+        // Nearly all cycles are such: what a scene has not is not asked for each particle.
+        Sums::Used if plain => chosen::<D, USED, true, false>(inputs, drag, stretch),
+        Sums::Used => chosen::<D, USED, true, true>(inputs, drag, stretch),
+        Sums::Kept => chosen::<D, KEPT, true, true>(inputs, drag, stretch),
+        Sums::Sized => chosen::<D, SIZED, true, true>(inputs, drag, stretch),
     }
 }
 
-fn chosen<D: Drag, const SUM: u8, const MOVE: bool>(
+fn chosen<D: Drag, const SUM: u8, const MOVE: bool, const MORE: bool>(
     inputs: &Inputs<'_>,
     drag: D,
     stretch: &mut Stretch<'_>,
@@ -54,19 +58,19 @@ fn chosen<D: Drag, const SUM: u8, const MOVE: bool>(
     #[cfg(target_arch = "x86_64")]
     if inputs.isa >= Isa::Avx2 && Isa::Avx2.is_here() {
         // SAFETY: the processor has it.
-        return unsafe { with_four::<D, SUM, MOVE>(inputs, drag, stretch) };
+        return unsafe { with_four::<D, SUM, MOVE, MORE>(inputs, drag, stretch) };
     }
-    run::<Plain, D, SUM, MOVE>(inputs, drag, stretch)
+    run::<Plain, D, SUM, MOVE, MORE>(inputs, drag, stretch)
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2")]
-fn with_four<D: Drag, const SUM: u8, const MOVE: bool>(
+fn with_four<D: Drag, const SUM: u8, const MOVE: bool, const MORE: bool>(
     inputs: &Inputs<'_>,
     drag: D,
     stretch: &mut Stretch<'_>,
 ) -> Watch {
-    run::<Four, D, SUM, MOVE>(inputs, drag, stretch)
+    run::<Four, D, SUM, MOVE, MORE>(inputs, drag, stretch)
 }
 
 /// What one particle leaves for FRACC.
@@ -109,7 +113,7 @@ struct Loop<'a, Q: Quad, D> {
 }
 
 #[inline(always)]
-fn run<Q: Quad, D: Drag, const SUM: u8, const MOVE: bool>(
+fn run<Q: Quad, D: Drag, const SUM: u8, const MOVE: bool, const MORE: bool>(
     inputs: &Inputs<'_>,
     drag: D,
     stretch: &mut Stretch<'_>,
@@ -144,10 +148,10 @@ fn run<Q: Quad, D: Drag, const SUM: u8, const MOVE: bool>(
             // One by one and by no closure, so that what they leave stays in registers.
             let (p, row, sum) = (first + k, rows.add(k), force.add(k));
             let seen = [
-                all.one::<SUM, MOVE>(&mut watched, p, row, sum),
-                all.one::<SUM, MOVE>(&mut watched, p + 1, row.add(1), sum.add(1)),
-                all.one::<SUM, MOVE>(&mut watched, p + 2, row.add(2), sum.add(2)),
-                all.one::<SUM, MOVE>(&mut watched, p + 3, row.add(3), sum.add(3)),
+                all.one::<SUM, MOVE, MORE>(&mut watched, p, row, sum),
+                all.one::<SUM, MOVE, MORE>(&mut watched, p + 1, row.add(1), sum.add(1)),
+                all.one::<SUM, MOVE, MORE>(&mut watched, p + 2, row.add(2), sum.add(2)),
+                all.one::<SUM, MOVE, MORE>(&mut watched, p + 3, row.add(3), sum.add(3)),
             ];
             if SUM >= KEPT && inputs.fracc {
                 watched.fracc(inputs.dt, p, &seen);
@@ -157,7 +161,7 @@ fn run<Q: Quad, D: Drag, const SUM: u8, const MOVE: bool>(
         let mut seen = [Seen::nobody(); 4];
         let p = first + k;
         for seen in seen.iter_mut().take(count - k) {
-            *seen = all.one::<SUM, MOVE>(&mut watched, first + k, rows.add(k), force.add(k));
+            *seen = all.one::<SUM, MOVE, MORE>(&mut watched, first + k, rows.add(k), force.add(k));
             k += 1;
         }
         if SUM >= KEPT && inputs.fracc {
@@ -195,7 +199,7 @@ impl<'a, Q: Quad, D: Drag> Loop<'a, Q, D> {
     /// # Safety
     /// There must be such a particle, and nobody else may work on its row and sum.
     #[inline(always)]
-    unsafe fn one<const SUM: u8, const MOVE: bool>(
+    unsafe fn one<const SUM: u8, const MOVE: bool, const MORE: bool>(
         &self,
         watched: &mut Watched<Q>,
         p: usize,
@@ -209,9 +213,9 @@ impl<'a, Q: Quad, D: Drag> Loop<'a, Q, D> {
             let mut seen = Seen::nobody();
             let mut total = match SUM {
                 DONE => Q::read(sum),
-                USED => self.gathered::<false>(p, state).force,
+                USED => self.gathered::<false, MORE>(p, state).force,
                 _ => {
-                    let (total, change) = self.summed::<SUM>(p, state, sum);
+                    let (total, change) = self.summed::<SUM, MORE>(p, state, sum);
                     total.write(sum);
                     seen.change = change;
                     total
@@ -222,7 +226,7 @@ impl<'a, Q: Quad, D: Drag> Loop<'a, Q, D> {
             if !MOVE {
                 return seen;
             }
-            if let Some(body) = self.body {
+            if MORE && let Some(body) = self.body {
                 total = total + Q::read_two(body.add(p).cast());
             }
             let kicked = self.drag.kick(seen.before, self.part * seen.gain, total);
@@ -245,16 +249,21 @@ impl<'a, Q: Quad, D: Drag> Loop<'a, Q, D> {
 
     /// The sums of the forces on particle `p` with the scale that goes with them, and their change.
     #[inline(always)]
-    unsafe fn summed<const SUM: u8>(&self, p: usize, state: *const f64, sum: *const f64) -> (Q, Q) {
+    unsafe fn summed<const SUM: u8, const MORE: bool>(
+        &self,
+        p: usize,
+        state: *const f64,
+        sum: *const f64,
+    ) -> (Q, Q) {
         // SAFETY: the caller's: there is such a particle, with a row and a sum.
         unsafe {
             let was = Q::read(sum);
             let total = if SUM == SIZED {
-                let sums = self.gathered::<true>(p, state);
+                let sums = self.gathered::<true, MORE>(p, state);
                 let size = (sums.size + sums.size.swapped()).spread()[0];
                 sums.force.with_last(size)
             } else {
-                self.gathered::<false>(p, state).force.with_last(was)
+                self.gathered::<false, MORE>(p, state).force.with_last(was)
             };
             (total, (total - was).with_last(total))
         }
@@ -262,11 +271,15 @@ impl<'a, Q: Quad, D: Drag> Loop<'a, Q, D> {
 
     /// The sums over the contacts of particle `p`, rolling moments with the others.
     #[inline(always)]
-    unsafe fn gathered<const SIZE: bool>(&self, p: usize, state: *const f64) -> Total<Q> {
+    unsafe fn gathered<const SIZE: bool, const MORE: bool>(
+        &self,
+        p: usize,
+        state: *const f64,
+    ) -> Total<Q> {
         // SAFETY: the caller's: there is such a particle, with a row.
         unsafe {
-            let mut total = self.gather.of::<Q, SIZE>(p);
-            if self.rolls {
+            let mut total = self.gather.of::<Q, SIZE, MORE>(p);
+            if MORE && self.rolls {
                 let mut sums = total.force.numbers();
                 sums[2] -= sums[3] / *state.add(3);
                 total.force = Q::of(&sums);
