@@ -269,17 +269,17 @@ impl<V: Lanes> Dashpots<V> for Following<V> {
     }
 }
 
-/// The same without the rest of the rule.
+/// The same along the normal only, without the rest of the rule.
 #[derive(Debug, Clone, Copy)]
-pub struct PlainFollowing<V>([V; 2]);
+pub struct PlainFollowing<V>(V);
 
 impl<V: Lanes> Numbers<V> for PlainFollowing<V> {
     const COUNT: usize = <Following<V> as Numbers<V>>::COUNT;
 
     #[inline(always)]
     fn take(from: &mut Reading) -> Self {
-        let gauge = <[V; 2]>::take(from);
-        from.skip(<Self as Numbers<V>>::COUNT - 2);
+        let gauge = from.column();
+        from.skip(<Self as Numbers<V>>::COUNT - 1);
         Self(gauge)
     }
 }
@@ -287,8 +287,8 @@ impl<V: Lanes> Numbers<V> for PlainFollowing<V> {
 impl<V: Lanes> Dashpots<V> for PlainFollowing<V> {
     #[inline(always)]
     fn normal(&self, elastic: V, stiffness: V, touch: &Touch<V>) -> V {
-        if any(self.0[0]) {
-            (elastic + self.0[0] * stiffness.sqrt() * touch.approach).positive()
+        if any(self.0) {
+            (elastic + self.0 * stiffness.sqrt() * touch.approach).positive()
         } else {
             elastic.positive()
         }
@@ -296,12 +296,12 @@ impl<V: Lanes> Dashpots<V> for PlainFollowing<V> {
 
     #[inline(always)]
     fn rubs(&self, _: &Touch<V>) -> bool {
-        any(self.0[1])
+        false
     }
 
     #[inline(always)]
-    fn tangential(&self, stiffness: V, touch: &Touch<V>) -> V {
-        self.0[1] * stiffness.sqrt() * touch.slide
+    fn tangential(&self, _: V, _: &Touch<V>) -> V {
+        V::all(0.0)
     }
 }
 
@@ -310,7 +310,10 @@ impl Viscosity for Following {
     type Plain<V: Lanes> = PlainFollowing<V>;
 
     fn all_plain(common: &[Option<f64>]) -> bool {
-        common[3..5] == [Some(0.0); 2] && common[5..] == Rule::PLAIN
+        let [_, tangential, _, beta_n, beta_s, rule @ ..] = common else {
+            return false;
+        };
+        [tangential, beta_n, beta_s] == [&Some(0.0); 3] && rule == Rule::PLAIN
     }
 
     fn prepare(basis: &Basis<'_>) -> Self {

@@ -164,6 +164,7 @@ impl<const M: usize> Alone for ExactShear<M> {
 impl<const M: usize> Tangential for ExactShear<M> {
     type Memo = Diagram<M>;
     type On<V: Lanes> = ExactLanes<V, M>;
+    type Plain<V: Lanes> = ExactLanes<V, M>;
 
     fn prepare(basis: &Basis<'_>) -> Self {
         let pair = basis.pair;

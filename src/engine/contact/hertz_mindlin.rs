@@ -74,21 +74,9 @@ impl<V: Lanes, const KEEP: bool> TangentialForce<V> for HertzMindlin<V, KEEP> {
 
     #[inline(always)]
     fn force(&self, touch: &Touch<V>, load: &Load<V>, memory: &mut HeldShear<V>) -> Shear<V> {
-        let k = self.mindlin * touch.overlap.sqrt();
-        let limit = load.limit(self.friction, self.cohesion);
-        let d = touch.slide * touch.dt;
-        let now = follow(memory.force, memory.stiffness, k, !KEEP, d, limit);
-        *memory = HeldShear {
-            force: now.force,
-            stiffness: k,
-        };
         let zero = V::all(0.0);
-        Shear {
-            force: now.force,
-            loss: now.loss,
-            sliding: now.sliding & (self.friction.above(zero) | self.cohesion.above(zero)),
-            limit,
-        }
+        let rubs = self.friction.above(zero) | self.cohesion.above(zero);
+        self.shear(touch, load, memory, rubs)
     }
 
     #[inline(always)]
@@ -97,9 +85,70 @@ impl<V: Lanes, const KEEP: bool> TangentialForce<V> for HertzMindlin<V, KEEP> {
     }
 }
 
+impl<V: Lanes, const KEEP: bool> HertzMindlin<V, KEEP> {
+    /// The answer, and whether there is friction at all.
+    #[inline(always)]
+    fn shear(
+        &self,
+        touch: &Touch<V>,
+        load: &Load<V>,
+        memory: &mut HeldShear<V>,
+        rubs: V::Mask,
+    ) -> Shear<V> {
+        let k = self.mindlin * touch.overlap.sqrt();
+        let limit = load.limit(self.friction, self.cohesion);
+        let d = touch.slide * touch.dt;
+        let now = follow(memory.force, memory.stiffness, k, !KEEP, d, limit);
+        *memory = HeldShear {
+            force: now.force,
+            stiffness: k,
+        };
+        Shear {
+            force: now.force,
+            loss: now.loss,
+            sliding: now.sliding & rubs,
+            limit,
+        }
+    }
+}
+
+/// The same where there is friction everywhere.
+#[derive(Debug, Clone, Copy)]
+pub struct Rubbing<V, const KEEP: bool>(HertzMindlin<V, KEEP>);
+
+impl<V: Lanes, const KEEP: bool> Numbers<V> for Rubbing<V, KEEP> {
+    const COUNT: usize = <HertzMindlin<V, KEEP> as Numbers<V>>::COUNT;
+
+    #[inline(always)]
+    fn take(from: &mut Reading) -> Self {
+        Self(HertzMindlin::take(from))
+    }
+}
+
+impl<V: Lanes, const KEEP: bool> TangentialForce<V> for Rubbing<V, KEEP> {
+    type Memory = HeldShear<V>;
+    const ACTIVE: bool = true;
+    const WITHIN: bool = true;
+
+    #[inline(always)]
+    fn force(&self, touch: &Touch<V>, load: &Load<V>, memory: &mut HeldShear<V>) -> Shear<V> {
+        self.0.shear(touch, load, memory, V::mask(u32::MAX))
+    }
+
+    #[inline(always)]
+    fn steepest(&self, overlap: V) -> V {
+        self.0.steepest(overlap)
+    }
+}
+
 impl<const KEEP: bool> Tangential for HertzMindlin<f64, KEEP> {
     type Memo = HeldShear;
     type On<V: Lanes> = HertzMindlin<V, KEEP>;
+    type Plain<V: Lanes> = Rubbing<V, KEEP>;
+
+    fn all_plain(common: &[Option<f64>]) -> bool {
+        common[1..].iter().flatten().any(|&limit| limit > 0.0)
+    }
 
     fn prepare(basis: &Basis<'_>) -> Self {
         Self {

@@ -29,7 +29,7 @@ pub trait Law: Written<f64> + Send + Sync + 'static {
     type Memo: Memory;
     /// In lanes.
     type On<V: Lanes>: React<V, Memory = Held<Self::Memo, V>>;
-    /// In lanes, where all contacts are plain: with fewer numbers to read, and the same bits.
+    /// In lanes, where all contacts are plain.
     type Plain<V: Lanes>: React<V, Memory = Held<Self::Memo, V>>;
     /// Whether all contacts are, told of each number the value that all have, if they have one.
     fn all_plain(common: &[Option<f64>]) -> bool;
@@ -173,10 +173,12 @@ where
 impl<N: Normal, T: Tangential, R: Rolling, D: Viscosity> Law for Contact<N, T, R, D> {
     type Memo = (N::Memo, T::Memo, R::Memo);
     type On<V: Lanes> = Contact<N::On<V>, T::On<V>, R::On<V>, D::On<V>>;
-    type Plain<V: Lanes> = Contact<N::On<V>, T::On<V>, R::On<V>, D::Plain<V>>;
+    type Plain<V: Lanes> = Contact<N::On<V>, T::Plain<V>, R::On<V>, D::Plain<V>>;
 
     fn all_plain(common: &[Option<f64>]) -> bool {
-        D::all_plain(&common[common.len() - <D as Numbers<f64>>::COUNT..])
+        let (tangential, dashpot) = (<T as Numbers<f64>>::COUNT, <D as Numbers<f64>>::COUNT);
+        let tangential = &common[<N as Numbers<f64>>::COUNT..][..tangential];
+        T::all_plain(tangential) && D::all_plain(&common[common.len() - dashpot..])
     }
 
     fn prepare(basis: &Basis<'_>) -> Self {

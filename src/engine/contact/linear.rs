@@ -192,6 +192,7 @@ impl<V: Lanes> TangentialForce<V> for Frictionless {
 impl Tangential for Frictionless {
     type Memo = ();
     type On<V: Lanes> = Self;
+    type Plain<V: Lanes> = Self;
 
     fn prepare(_: &Basis<'_>) -> Self {
         Self
@@ -289,6 +290,7 @@ impl<V: Lanes> TangentialForce<V> for LinearShear<V> {
 impl Tangential for LinearShear {
     type Memo = ShearForce;
     type On<V: Lanes> = LinearShear<V>;
+    type Plain<V: Lanes> = LinearShear<V>;
 
     fn prepare(basis: &Basis<'_>) -> Self {
         let Basis { pair, .. } = basis;

@@ -72,6 +72,7 @@ impl<V: Lanes> TangentialForce<V> for ReversalShear<V> {
 impl Tangential for ReversalShear {
     type Memo = Reversals;
     type On<V: Lanes> = ReversalShear<V>;
+    type Plain<V: Lanes> = ReversalShear<V>;
 
     fn prepare(basis: &Basis<'_>) -> Self {
         let pair = basis.pair;

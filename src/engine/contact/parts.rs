@@ -1,7 +1,9 @@
 //! The parts a contact is put together from; each law's file implements some of these.
 //!
 //! Each part has two faces: what the loop asks of it, in lanes ([`NormalForce`], [`TangentialForce`],
-//! [`RollingMoment`], [`Dashpots`]), and what is asked now and then of one contact.
+//! [`RollingMoment`], [`Dashpots`]), and what is asked now and then of one contact. Where all contacts
+//! are plain, in ways that most scenes have in common, there is less to read and to ask, with the same
+//! bits.
 
 use super::inner::Inner;
 use super::memory::Memory;
@@ -70,6 +72,12 @@ pub trait Tangential: Written<f64> + Send + Sync + 'static {
     type Memo: Memory;
     /// In lanes.
     type On<V: Lanes>: TangentialForce<V, Memory = Held<Self::Memo, V>>;
+    /// In lanes, where all contacts are plain.
+    type Plain<V: Lanes>: TangentialForce<V, Memory = Held<Self::Memo, V>>;
+    /// Whether all contacts are, told of each number the value that all have, if they have one.
+    fn all_plain(_common: &[Option<f64>]) -> bool {
+        true
+    }
     /// From the parameters of the pair.
     fn prepare(basis: &Basis<'_>) -> Self;
     /// The spring force the memory holds [N].
@@ -145,7 +153,7 @@ pub trait Dashpots<V: Lanes>: Numbers<V> {
 pub trait Viscosity: Written<f64> + Send + Sync + 'static {
     /// In lanes.
     type On<V: Lanes>: Dashpots<V>;
-    /// In lanes, where all contacts are plain: with fewer numbers to read, and the same bits.
+    /// In lanes, where all contacts are plain.
     type Plain<V: Lanes>: Dashpots<V>;
     /// Whether all contacts are, told of each number the value that all have, if they have one.
     fn all_plain(common: &[Option<f64>]) -> bool;
