@@ -60,25 +60,37 @@ struct Task {
     data: *const (),
 }
 
-/// Where a worker finds its tasks: a cache line of its own.
+/// What no other thread writes meanwhile: a stretch of memory that processors do not take from each other
+/// for the sake of something else.
 #[repr(align(128))]
+struct Apart<T>(T);
+
+/// Where a worker finds its tasks. They are numbered from 1.
 struct Desk {
+    /// Written by the caller only.
+    order: Apart<Order>,
+    /// Twice the number of the last task that somebody began, and one more when it is done. Written by
+    /// the worker, or by the caller in its place.
+    state: Apart<AtomicU64>,
+    parked: Apart<AtomicBool>,
+    failed: Apart<AtomicBool>,
+}
+
+struct Order {
     /// Number of the task that lies here.
     laid: AtomicU64,
-    /// Number of the last task that somebody began.
-    begun: AtomicU64,
-    /// Number of the last task that the worker did, or the caller in its place.
-    done: AtomicU64,
-    parked: AtomicBool,
-    failed: AtomicBool,
     stop: AtomicBool,
-    /// Written by the caller, read by the worker if that was the one to begin it; the caller then
-    /// waits for `done`.
+    /// Read by the worker if that was the one to begin it; the caller then waits for the end.
     task: UnsafeCell<Option<Task>>,
 }
 
-// SAFETY: `task` is written and read in turns that `laid`, `begun` and `done` hand over, and what its
-// `data` points to, a `Borrowed` whose closure is `Sync` and whose jobs are `Send`, lives until `done`.
+/// The state of a task that is done.
+const fn done(number: u64) -> u64 {
+    2 * number + 1
+}
+
+// SAFETY: `task` is written and read in turns that `laid` and `state` hand over, and what its `data`
+// points to, a closure that is `Sync`, lives until the task is done.
 unsafe impl Sync for Desk {}
 // SAFETY: as above.
 unsafe impl Send for Desk {}
@@ -109,13 +121,14 @@ impl Threads {
         let workers = (1..count)
             .map_while(|part| {
                 let desk = Arc::new(Desk {
-                    laid: AtomicU64::new(0),
-                    begun: AtomicU64::new(0),
-                    done: AtomicU64::new(0),
-                    parked: AtomicBool::new(false),
-                    failed: AtomicBool::new(false),
-                    stop: AtomicBool::new(false),
-                    task: UnsafeCell::new(None),
+                    order: Apart(Order {
+                        laid: AtomicU64::new(0),
+                        stop: AtomicBool::new(false),
+                        task: UnsafeCell::new(None),
+                    }),
+                    state: Apart(AtomicU64::new(done(0))),
+                    parked: Apart(AtomicBool::new(false)),
+                    failed: Apart(AtomicBool::new(false)),
                 });
                 let own = Arc::clone(&desk);
                 let handle = std::thread::Builder::new()
@@ -163,46 +176,45 @@ impl Threads {
         self.run(&mut jobs[..parts], |(first, items)| work(*first, items));
     }
 
-    /// Runs `work` on each of `parts` parts, one per thread, and waits for all.
-    ///
-    /// # Panics
-    /// As [`Self::run`].
-    pub fn split(&self, parts: usize, work: impl Fn(usize) + Sync) {
-        let mut jobs: [usize; MAX_THREADS] = std::array::from_fn(|part| part);
-        self.run(&mut jobs[..parts], |part| work(*part));
-    }
-
     /// Runs `work` on every job, one job per thread, and waits for all.
     ///
     /// # Panics
     /// If a job panicked, or there are more jobs than threads.
-    pub fn run<J: Send, F: Fn(&mut J) + Sync>(&self, jobs: &mut [J], work: F) {
-        struct Borrowed<J, F> {
-            jobs: *mut J,
-            work: F,
+    pub fn run<J: Send>(&self, jobs: &mut [J], work: impl Fn(&mut J) + Sync) {
+        struct Jobs<J>(*mut J);
+        // SAFETY: each job is worked on by one thread.
+        unsafe impl<J: Send> Sync for Jobs<J> {}
+        impl<J> Jobs<J> {
+            // SAFETY: whoever calls it is the only one to work on this part, which there must be.
+            #[allow(clippy::mut_from_ref, reason = "each part has its own")]
+            unsafe fn of(&self, part: usize) -> &mut J {
+                // SAFETY: the caller's.
+                unsafe { &mut *self.0.add(part) }
+            }
         }
-        // SAFETY: `data` comes from `run` below, which outlives the call; see the block inside.
-        unsafe fn call<J, F: Fn(&mut J)>(data: *const (), part: usize) {
-            // SAFETY: `run` made `data` from a `Borrowed<J, F>` that outlives the call, and each
-            // part, below the number of jobs, is run by one thread only.
-            let (borrowed, job) = unsafe {
-                let borrowed = &*data.cast::<Borrowed<J, F>>();
-                (borrowed, &mut *borrowed.jobs.add(part))
-            };
-            (borrowed.work)(job);
+        let all = Jobs(jobs.as_mut_ptr());
+        // SAFETY: parts are the jobs, and each is run by one thread.
+        self.split(jobs.len(), |part| work(unsafe { all.of(part) }));
+    }
+
+    /// Runs `work` on each of `parts` parts, one per thread, and waits for all.
+    ///
+    /// # Panics
+    /// If a part panicked, or there are more parts than threads.
+    pub fn split<F: Fn(usize) + Sync>(&self, parts: usize, work: F) {
+        // SAFETY: `data` comes from `split` below, which outlives the call.
+        unsafe fn call<F: Fn(usize)>(data: *const (), part: usize) {
+            // SAFETY: `split` made `data` from an `F` that outlives the call.
+            unsafe { (*data.cast::<F>())(part) }
         }
-        assert!(jobs.len() <= self.count(), "one job per thread");
-        if jobs.is_empty() {
+        assert!(parts <= self.count(), "one part per thread");
+        if parts == 0 {
             return;
         }
-        let borrowed = Borrowed {
-            jobs: jobs.as_mut_ptr(),
-            work,
-        };
-        let data = std::ptr::from_ref(&borrowed).cast();
-        let helpers = &self.workers[..jobs.len() - 1];
+        let data = std::ptr::from_ref(&work).cast();
+        let helpers = &self.workers[..parts - 1];
         for worker in helpers {
-            let call = call::<J, F>;
+            let call = call::<F>;
             worker.lay(Task { call, data });
         }
         // The borrow must outlive the workers even when the caller's own part panics.
@@ -210,18 +222,20 @@ impl Threads {
             helpers,
             spin: self.spin,
         };
-        // SAFETY: part 0 exists and no worker runs it.
-        unsafe { call::<J, F>(data, 0) };
+        work(0);
         for (part, worker) in helpers.iter().enumerate() {
-            let number = worker.desk.laid.load(Ordering::Relaxed);
+            let number = worker.desk.order.0.laid.load(Ordering::Relaxed);
             if worker.desk.begin(number) {
-                worker.desk.done.store(number, Ordering::Relaxed);
-                // SAFETY: whoever begins a part is the only one to run it.
-                unsafe { call::<J, F>(data, part + 1) };
+                // Whoever waits waits for nobody.
+                worker.desk.state.0.store(done(number), Ordering::Relaxed);
+                work(part + 1);
             }
         }
         drop(wait);
-        let failed = |worker: &Worker| worker.desk.failed.swap(false, Ordering::Relaxed);
+        let failed = |worker: &Worker| {
+            let failed = &worker.desk.failed.0;
+            failed.load(Ordering::Relaxed) && failed.swap(false, Ordering::Relaxed)
+        };
         // All of them, so that none is left set.
         let failures = helpers.iter().filter(|worker| failed(worker)).count();
         assert!(failures == 0, "a worker thread panicked");
@@ -232,13 +246,13 @@ impl Worker {
     /// Hands a task over.
     fn lay(&self, task: Task) {
         let desk = &self.desk;
-        // SAFETY: what lay here before was begun by the caller, or the worker is done with it: `run`
+        // SAFETY: what lay here before was begun by the caller, or the worker is done with it: `split`
         // waits for that.
-        unsafe { *desk.task.get() = Some(task) };
+        unsafe { *desk.order.0.task.get() = Some(task) };
         // In one order with `parked` for both: either the worker sees the task or this one sees it
         // parked.
-        desk.laid.fetch_add(1, Ordering::SeqCst);
-        if desk.parked.load(Ordering::SeqCst) {
+        desk.order.0.laid.fetch_add(1, Ordering::SeqCst);
+        if desk.parked.0.load(Ordering::SeqCst) {
             self.handle.thread().unpark();
         }
     }
@@ -253,13 +267,14 @@ struct Wait<'a> {
 impl Drop for Wait<'_> {
     fn drop(&mut self) {
         for Worker { desk, .. } in self.helpers {
-            let laid = desk.laid.load(Ordering::Relaxed);
+            let laid = desk.order.0.laid.load(Ordering::Relaxed);
             // Nobody begins what is still lying here after this.
             if desk.begin(laid) {
+                desk.state.0.store(done(laid), Ordering::Relaxed);
                 continue;
             }
             let mut rounds = 0;
-            while desk.done.load(Ordering::Acquire) != laid {
+            while desk.state.0.load(Ordering::Acquire) != done(laid) {
                 rounds += 1;
                 if rounds < self.spin {
                     std::hint::spin_loop();
@@ -274,10 +289,14 @@ impl Drop for Wait<'_> {
 impl Desk {
     /// Whether the one who asks is the first to begin the task of this number.
     fn begin(&self, number: u64) -> bool {
-        let (before, order) = (number - 1, Ordering::AcqRel);
-        self.begun
-            .compare_exchange(before, number, order, Ordering::Acquire)
-            .is_ok()
+        let (before, order) = (done(number - 1), Ordering::AcqRel);
+        // Looked at first: to try is to take it from whoever works with it.
+        self.state.0.load(Ordering::Relaxed) == before
+            && self
+                .state
+                .0
+                .compare_exchange(before, 2 * number, order, Ordering::Relaxed)
+                .is_ok()
     }
 
     /// Does what is laid here, until told to stop.
@@ -289,7 +308,7 @@ impl Desk {
                 continue;
             }
             // SAFETY: the caller laid the task and does not touch it before `done`.
-            let task = unsafe { *self.task.get() };
+            let task = unsafe { *self.order.0.task.get() };
             let run = std::panic::AssertUnwindSafe(|| {
                 if let Some(task) = task {
                     // SAFETY: the task is alive until `done` says that this part is.
@@ -297,9 +316,9 @@ impl Desk {
                 }
             });
             if std::panic::catch_unwind(run).is_err() {
-                self.failed.store(true, Ordering::Relaxed);
+                self.failed.0.store(true, Ordering::Relaxed);
             }
-            self.done.store(number, Ordering::Release);
+            self.state.0.store(done(number), Ordering::Release);
         }
     }
 
@@ -307,11 +326,11 @@ impl Desk {
     fn wait(&self, seen: u64, spin: u32) -> Option<u64> {
         let mut rounds = 0;
         loop {
-            let laid = self.laid.load(Ordering::Acquire);
+            let laid = self.order.0.laid.load(Ordering::Acquire);
             if laid != seen {
                 return Some(laid);
             }
-            if self.stop.load(Ordering::Relaxed) {
+            if self.order.0.stop.load(Ordering::Relaxed) {
                 return None;
             }
             rounds += 1;
@@ -320,11 +339,12 @@ impl Desk {
             } else if rounds < spin + YIELDS {
                 std::thread::yield_now();
             } else {
-                self.parked.store(true, Ordering::SeqCst);
-                if self.laid.load(Ordering::SeqCst) == seen && !self.stop.load(Ordering::SeqCst) {
+                self.parked.0.store(true, Ordering::SeqCst);
+                let order = &self.order.0;
+                if order.laid.load(Ordering::SeqCst) == seen && !order.stop.load(Ordering::SeqCst) {
                     std::thread::park();
                 }
-                self.parked.store(false, Ordering::SeqCst);
+                self.parked.0.store(false, Ordering::SeqCst);
                 rounds = 0;
             }
         }
@@ -334,7 +354,7 @@ impl Desk {
 impl Drop for Threads {
     fn drop(&mut self) {
         for worker in self.workers.drain(..) {
-            worker.desk.stop.store(true, Ordering::SeqCst);
+            worker.desk.order.0.stop.store(true, Ordering::SeqCst);
             worker.handle.thread().unpark();
             // A worker's panic was reported by `run`.
             drop(worker.handle.join());
@@ -366,7 +386,7 @@ mod tests {
             sum += jobs.iter().sum::<usize>();
             if round % 100 == 99 {
                 // Until all are parked, however busy the machine is.
-                let parked = |worker: &Worker| worker.desk.parked.load(Ordering::SeqCst);
+                let parked = |worker: &Worker| worker.desk.parked.0.load(Ordering::SeqCst);
                 let mut tries = 0;
                 while !threads.workers.iter().all(parked) {
                     std::thread::yield_now();

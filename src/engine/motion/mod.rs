@@ -149,25 +149,42 @@ fn in_stretches(
     if parts == 1 {
         return work(&mut rest);
     }
-    let mut jobs: [Option<(Stretch<'_>, Watch)>; MAX_THREADS] = [const { None }; MAX_THREADS];
-    for (part, job) in jobs.iter_mut().enumerate().take(parts) {
+    // Few, so that they are soon laid out.
+    if parts <= FEW {
+        in_parts::<FEW>(inputs, rest, (threads, parts), work)
+    } else {
+        in_parts::<MAX_THREADS>(inputs, rest, (threads, parts), work)
+    }
+}
+
+/// Works on so many parts, at most `MOST`.
+fn in_parts<const MOST: usize>(
+    inputs: &Inputs<'_>,
+    mut rest: Stretch<'_>,
+    (threads, parts): (&Threads, usize),
+    work: impl Fn(&mut Stretch<'_>) -> Watch + Sync,
+) -> Watch {
+    let (total, ask) = (rest.rows.len(), rest.ask);
+    let mut jobs: [Option<Job<'_>>; MOST] = [const { None }; MOST];
+    let jobs = &mut jobs[..parts];
+    let mut seen_before = 0;
+    for (part, job) in jobs.iter_mut().enumerate() {
         let own = shares::particles(&inputs.contacts.pairs, total, parts, part);
-        let seen = inputs
-            .beyond
-            .map_or(0, |beyond| beyond.below(own.end) - beyond.below(own.start));
+        let seen = match inputs.beyond {
+            Some(beyond) if part + 1 < parts => beyond.below(own.end),
+            _ => seen_before + rest.images.len(),
+        };
         let (rows, rows_rest) = rest.rows.split_at_mut(own.len());
-        let (images, images_rest) = rest.images.split_at_mut(seen);
+        let (images, images_rest) = rest.images.split_at_mut(seen - seen_before);
         let (force, force_rest) = rest.force.split_at_mut(own.len());
-        *job = Some((
-            Stretch {
-                first: own.start,
-                rows,
-                images,
-                force,
-                ask,
-            },
-            Watch::NOTHING,
-        ));
+        let stretch = Stretch {
+            first: own.start,
+            rows,
+            images,
+            force,
+            ask,
+        };
+        *job = Some(Job(stretch, Watch::NOTHING));
         rest = Stretch {
             first: own.end,
             rows: rows_rest,
@@ -175,16 +192,24 @@ fn in_stretches(
             force: force_rest,
             ask,
         };
+        seen_before = seen;
     }
-    threads.run(&mut jobs[..parts], |job| {
-        if let Some((stretch, watch)) = job {
+    threads.run(jobs, |job| {
+        if let Some(Job(stretch, watch)) = job {
             *watch = work(stretch);
         }
     });
     jobs.iter()
         .flatten()
-        .fold(Watch::NOTHING, |all, (_, watch)| all.and(*watch))
+        .fold(Watch::NOTHING, |all, Job(_, watch)| all.and(*watch))
 }
+
+/// A stretch and what was watched there, apart from others'.
+#[repr(align(128))]
+struct Job<'a>(Stretch<'a>, Watch);
+
+/// Parts that are laid out at once.
+const FEW: usize = 4;
 
 /// FRACC from its fourth power.
 pub(super) fn fracc(fourth: f64) -> f64 {
