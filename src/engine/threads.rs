@@ -30,6 +30,10 @@ const SPIN: u32 = 10_000;
 /// The same where there are more threads than processors.
 const SPIN_CROWDED: u32 = 50;
 
+/// Rounds that a caller waits for a worker before it looks whether that one has begun: a microsecond or
+/// two.
+const PATIENCE: u32 = 100;
+
 /// Times a worker lets others run before it parks.
 const YIELDS: u32 = 20;
 
@@ -69,9 +73,11 @@ struct Apart<T>(T);
 struct Desk {
     /// Written by the caller only.
     order: Apart<Order>,
-    /// Twice the number of the last task that somebody began, and one more when it is done. Written by
-    /// the worker, or by the caller in its place.
-    state: Apart<AtomicU64>,
+    /// Number of the last task that somebody began: the worker, as a rule, and then the caller does not
+    /// look here.
+    begun: Apart<AtomicU64>,
+    /// Number of the last task that is done.
+    done: Apart<AtomicU64>,
     parked: Apart<AtomicBool>,
     failed: Apart<AtomicBool>,
 }
@@ -84,12 +90,7 @@ struct Order {
     task: UnsafeCell<Option<Task>>,
 }
 
-/// The state of a task that is done.
-const fn done(number: u64) -> u64 {
-    2 * number + 1
-}
-
-// SAFETY: `task` is written and read in turns that `laid` and `state` hand over, and what its `data`
+// SAFETY: `task` is written and read in turns that `laid`, `begun` and `done` hand over, and what its `data`
 // points to, a closure that is `Sync`, lives until the task is done.
 unsafe impl Sync for Desk {}
 // SAFETY: as above.
@@ -126,7 +127,8 @@ impl Threads {
                         stop: AtomicBool::new(false),
                         task: UnsafeCell::new(None),
                     }),
-                    state: Apart(AtomicU64::new(done(0))),
+                    begun: Apart(AtomicU64::new(0)),
+                    done: Apart(AtomicU64::new(0)),
                     parked: Apart(AtomicBool::new(false)),
                     failed: Apart(AtomicBool::new(false)),
                 });
@@ -224,10 +226,7 @@ impl Threads {
         };
         work(0);
         for (part, worker) in helpers.iter().enumerate() {
-            let number = worker.desk.order.0.laid.load(Ordering::Relaxed);
-            if worker.desk.begin(number) {
-                // Whoever waits waits for nobody.
-                worker.desk.state.0.store(done(number), Ordering::Relaxed);
+            if !worker.is_soon_done() && worker.take_back() {
                 work(part + 1);
             }
         }
@@ -245,16 +244,50 @@ impl Threads {
 impl Worker {
     /// Hands a task over.
     fn lay(&self, task: Task) {
-        let desk = &self.desk;
+        let order = &self.desk.order.0;
         // SAFETY: what lay here before was begun by the caller, or the worker is done with it: `split`
         // waits for that.
-        unsafe { *desk.order.0.task.get() = Some(task) };
-        // In one order with `parked` for both: either the worker sees the task or this one sees it
-        // parked.
-        desk.order.0.laid.fetch_add(1, Ordering::SeqCst);
-        if desk.parked.0.load(Ordering::SeqCst) {
+        unsafe { *order.task.get() = Some(task) };
+        let number = order.laid.load(Ordering::Relaxed) + 1;
+        order.laid.store(number, Ordering::Release);
+        // One that parks just now may be missed here: whoever takes its task back sees it.
+        self.wake(Ordering::Relaxed);
+    }
+
+    /// Wakes it if it is parked.
+    fn wake(&self, order: Ordering) {
+        if self.desk.parked.0.load(order) {
             self.handle.thread().unpark();
         }
+    }
+
+    /// Whether its task is done within the time that takes which others have for theirs; looks at nothing
+    /// that the worker needs meanwhile.
+    fn is_soon_done(&self) -> bool {
+        let laid = self.desk.order.0.laid.load(Ordering::Relaxed);
+        for _ in 0..PATIENCE {
+            if self.desk.done.0.load(Ordering::Acquire) == laid {
+                return true;
+            }
+            std::hint::spin_loop();
+        }
+        false
+    }
+
+    /// Takes its task back unless it was begun.
+    fn take_back(&self) -> bool {
+        let desk = &self.desk;
+        let number = desk.order.0.laid.load(Ordering::Relaxed);
+        let mine = desk.begin(number);
+        if mine {
+            // Whoever waits waits for nobody.
+            desk.done.0.store(number, Ordering::Relaxed);
+            // In one order with what the worker does before it parks: either it sees the task, which is
+            // begun, or it is seen here.
+            std::sync::atomic::fence(Ordering::SeqCst);
+            self.wake(Ordering::SeqCst);
+        }
+        mine
     }
 }
 
@@ -266,15 +299,15 @@ struct Wait<'a> {
 
 impl Drop for Wait<'_> {
     fn drop(&mut self) {
-        for Worker { desk, .. } in self.helpers {
-            let laid = desk.order.0.laid.load(Ordering::Relaxed);
+        for worker in self.helpers {
             // Nobody begins what is still lying here after this.
-            if desk.begin(laid) {
-                desk.state.0.store(done(laid), Ordering::Relaxed);
+            if worker.is_soon_done() || worker.take_back() {
                 continue;
             }
+            let desk = &worker.desk;
+            let laid = desk.order.0.laid.load(Ordering::Relaxed);
             let mut rounds = 0;
-            while desk.state.0.load(Ordering::Acquire) != done(laid) {
+            while desk.done.0.load(Ordering::Acquire) != laid {
                 rounds += 1;
                 if rounds < self.spin {
                     std::hint::spin_loop();
@@ -289,14 +322,11 @@ impl Drop for Wait<'_> {
 impl Desk {
     /// Whether the one who asks is the first to begin the task of this number.
     fn begin(&self, number: u64) -> bool {
-        let (before, order) = (done(number - 1), Ordering::AcqRel);
-        // Looked at first: to try is to take it from whoever works with it.
-        self.state.0.load(Ordering::Relaxed) == before
-            && self
-                .state
-                .0
-                .compare_exchange(before, 2 * number, order, Ordering::Relaxed)
-                .is_ok()
+        let (before, order) = (number - 1, Ordering::AcqRel);
+        self.begun
+            .0
+            .compare_exchange(before, number, order, Ordering::Acquire)
+            .is_ok()
     }
 
     /// Does what is laid here, until told to stop.
@@ -318,7 +348,7 @@ impl Desk {
             if std::panic::catch_unwind(run).is_err() {
                 self.failed.0.store(true, Ordering::Relaxed);
             }
-            self.state.0.store(done(number), Ordering::Release);
+            self.done.0.store(number, Ordering::Release);
         }
     }
 

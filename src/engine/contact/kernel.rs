@@ -33,7 +33,7 @@ const AHEAD: usize = 64;
 pub(super) struct Kernel<'a, L: Law> {
     pub(super) view: View<'a>,
     /// Parameters of pairs, and of contacts with walls (counted from their own first).
-    pub(super) laws: [[Column; MOST]; 2],
+    pub(super) laws: &'a [[Column; MOST]; 2],
     /// Whether all pairs are plain.
     pub(super) plain: bool,
     pub(super) memory: [Column; MOST],

@@ -11,12 +11,13 @@ use std::any::Any;
 use std::ops::Range;
 
 pub use super::book::Book;
-use super::columns::Parameters;
+use super::columns::{MOST, Parameters};
 use super::inner::Inner;
 use super::kernel::Kernel;
 use super::law::{Law, React};
 use super::memories::Memories;
 use super::memory::Memory;
+use super::numbers::Column;
 use super::quantities::{BasisOwned, Stiffness};
 use super::traction::Traction;
 use crate::engine::boundary::Tensor;
@@ -121,7 +122,21 @@ pub struct Pass<L: Law, const BOOK: bool> {
     laws: [Parameters<L>; 2],
     memory: Memories<L::Memo>,
     book: Vec<Book>,
+    tables: Tables,
 }
+
+/// Where the columns of parameters stand: written only where the list is made anew, as every thread has
+/// a look at it in every cycle.
+struct Tables {
+    laws: [[Column; MOST]; 2],
+    /// Whether all pairs are plain.
+    plain: bool,
+}
+
+// SAFETY: the columns are those of the pass itself, which changes them only with the tables.
+unsafe impl Send for Tables {}
+// SAFETY: as above.
+unsafe impl Sync for Tables {}
 
 impl<L: Law, const BOOK: bool> Pass<L, BOOK> {
     /// Without contacts yet.
@@ -130,6 +145,10 @@ impl<L: Law, const BOOK: bool> Pass<L, BOOK> {
             laws: [Parameters::new(), Parameters::new()],
             memory: Memories::default(),
             book: Vec::new(),
+            tables: Tables {
+                laws: [[Column::NONE; MOST]; 2],
+                plain: false,
+            },
         }
     }
 
@@ -171,8 +190,8 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
         let (memory, whole) = self.memory.columns();
         let kernel = Kernel::<L> {
             view,
-            laws: [self.laws[0].columns(), self.laws[1].columns()],
-            plain: L::all_plain(&self.laws[0].common()[..L::COUNT]),
+            laws: &self.tables.laws,
+            plain: self.tables.plain,
             memory,
             whole,
             book: self.book.as_mut_ptr(),
@@ -225,6 +244,10 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
         if BOOK {
             carry(&mut self.book, old, 0, room, |_| Book::default());
         }
+        self.tables = Tables {
+            laws: [self.laws[0].columns(), self.laws[1].columns()],
+            plain: L::all_plain(&self.laws[0].common()[..L::COUNT]),
+        };
     }
 
     fn hand_over(&mut self, from: usize, to: usize) {
