@@ -8,9 +8,9 @@ use super::rows::Rows;
 use super::setup::{Body, ParticleSetup};
 
 /// Whether so many particles are far from the processor, so that passes ask for memory ahead: fewer stay
-/// near by themselves, unless the threads of several parts take them from each other.
-pub(super) fn are_far(particles: usize, parts: usize) -> bool {
-    particles > 8192 || parts > 1
+/// near by themselves.
+pub(super) fn are_far(particles: usize) -> bool {
+    particles > 8192
 }
 
 /// What the contact and motion passes read and write of one particle: one cache line.

@@ -5,6 +5,7 @@
 
 use super::numbers::{Numbers, Reading, Writing, Written, numbers};
 use super::parts::{Dashpots, Viscosity};
+use super::plain::{PlainConstant, PlainFollowing};
 use super::quantities::{Basis, Touch};
 use crate::engine::lanes::Lanes;
 
@@ -105,7 +106,7 @@ impl<V: Lanes> Rule<V> {
 
 /// Whether any of these numbers is not nought.
 #[inline(always)]
-fn any<V: Lanes>(numbers: V) -> bool {
+pub(super) fn any<V: Lanes>(numbers: V) -> bool {
     V::any(!numbers.equals(V::all(0.0)))
 }
 
@@ -144,38 +145,6 @@ impl<V: Lanes> Dashpots<V> for Constant<V> {
     #[inline(always)]
     fn tangential(&self, _: V, touch: &Touch<V>) -> V {
         self.at(1, touch) * touch.slide
-    }
-}
-
-/// The same without the rest of the rule.
-#[derive(Debug, Clone, Copy)]
-pub struct PlainConstant<V>([V; 2]);
-
-impl<V: Lanes> Numbers<V> for PlainConstant<V> {
-    const COUNT: usize = <Constant<V> as Numbers<V>>::COUNT;
-
-    #[inline(always)]
-    fn take(from: &mut Reading) -> Self {
-        let c = <[V; 2]>::take(from);
-        from.skip(<Self as Numbers<V>>::COUNT - 2);
-        Self(c)
-    }
-}
-
-impl<V: Lanes> Dashpots<V> for PlainConstant<V> {
-    #[inline(always)]
-    fn normal(&self, elastic: V, _: V, touch: &Touch<V>) -> V {
-        (elastic + self.0[0] * touch.approach).positive()
-    }
-
-    #[inline(always)]
-    fn rubs(&self, _: &Touch<V>) -> bool {
-        any(self.0[1])
-    }
-
-    #[inline(always)]
-    fn tangential(&self, _: V, touch: &Touch<V>) -> V {
-        self.0[1] * touch.slide
     }
 }
 
@@ -266,42 +235,6 @@ impl<V: Lanes> Dashpots<V> for Following<V> {
     #[inline(always)]
     fn tangential(&self, stiffness: V, touch: &Touch<V>) -> V {
         self.at(1, stiffness, touch) * touch.slide
-    }
-}
-
-/// The same along the normal only, without the rest of the rule.
-#[derive(Debug, Clone, Copy)]
-pub struct PlainFollowing<V>(V);
-
-impl<V: Lanes> Numbers<V> for PlainFollowing<V> {
-    const COUNT: usize = <Following<V> as Numbers<V>>::COUNT;
-
-    #[inline(always)]
-    fn take(from: &mut Reading) -> Self {
-        let gauge = from.column();
-        from.skip(<Self as Numbers<V>>::COUNT - 1);
-        Self(gauge)
-    }
-}
-
-impl<V: Lanes> Dashpots<V> for PlainFollowing<V> {
-    #[inline(always)]
-    fn normal(&self, elastic: V, stiffness: V, touch: &Touch<V>) -> V {
-        if any(self.0) {
-            (elastic + self.0 * stiffness.sqrt() * touch.approach).positive()
-        } else {
-            elastic.positive()
-        }
-    }
-
-    #[inline(always)]
-    fn rubs(&self, _: &Touch<V>) -> bool {
-        false
-    }
-
-    #[inline(always)]
-    fn tangential(&self, _: V, _: &Touch<V>) -> V {
-        V::all(0.0)
     }
 }
 

@@ -28,6 +28,7 @@ pub mod mindlin_deresiewicz;
 pub mod numbers;
 pub mod parts;
 pub mod pass;
+mod plain;
 pub mod quantities;
 pub mod rolling;
 pub mod traction;

@@ -197,7 +197,7 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
             book: self.book.as_mut_ptr(),
             slots: slots.as_mut_ptr(),
             status: status.as_mut_ptr().cast(),
-            ask: are_far(view.rows.len(), parts),
+            ask: are_far(view.rows.len()),
         };
         if parts == 1 {
             // SAFETY: all columns have a place for each contact, and the list names rows there are.

@@ -138,7 +138,7 @@ fn in_stretches(
     let (rows, images) = rows.split();
     let total = rows.len();
     let parts = threads.parts(total);
-    let ask = are_far(total, parts);
+    let ask = are_far(total);
     let mut rest = Stretch {
         first: 0,
         rows,
