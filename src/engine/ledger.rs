@@ -262,7 +262,14 @@ impl World {
             return;
         };
         self.settle();
+        let damped = Dragged::new(&self.model.damping, self.kick_part() * self.dt).is_some();
+        let spins = self.spins();
         for p in 0..self.particles.len() {
+            // Nearly all of most scenes: nothing to book, and nothing to work out.
+            let driven = self.is_driven(p, spins);
+            if !damped && !driven {
+                continue;
+            }
             let axes = self.axes(p);
             for axis in &axes {
                 let drag = axis.drag();
@@ -273,7 +280,9 @@ impl World {
                         self.half_work(drag, axis, 0)
                     };
             }
-            self.book_driver(&mut ledger, p, &axes, 1);
+            if driven {
+                self.book_driver(&mut ledger, p, &axes, 1);
+            }
         }
         self.book_walls(&mut ledger);
         self.book_flow(&mut ledger);
@@ -286,6 +295,7 @@ impl World {
             return;
         };
         self.settle();
+        let spins = self.spins();
         for p in 0..self.particles.len() {
             for (k, second) in self.contacts.of(p) {
                 if !second {
@@ -298,12 +308,24 @@ impl World {
                     ledger.accounts[p].dashpots += book.damping_loss;
                 }
             }
-            let axes = self.axes(p);
-            self.book_driver(&mut ledger, p, &axes, 0);
+            if self.is_driven(p, spins) {
+                let axes = self.axes(p);
+                self.book_driver(&mut ledger, p, &axes, 0);
+            }
         }
         self.book_walls(&mut ledger);
         self.book_flow(&mut ledger);
         self.ledger = Some(ledger);
+    }
+
+    /// Whether somebody else than its neighbours does work on a particle: a force is applied, or a velocity
+    /// prescribed.
+    fn is_driven(&self, p: usize, spins: bool) -> bool {
+        let mobility = &self.particles.mobility[p];
+        self.particles.fixed[p] != [false; 3]
+            || mobility.kick.contains(&0.0)
+            || spins && mobility.turn == 0.0
+            || self.particles.applied(p) != [0.0; 2]
     }
 
     /// Work of applied forces and of whatever holds prescribed velocities, over half a step.
