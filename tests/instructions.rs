@@ -146,3 +146,126 @@ fn neither_do_threads_beside_them() {
         }
     }
 }
+
+/// Spheres that fly into each other: no weight and no walls, sums of forces kept now and then only.
+fn clump(rows: usize) -> Setup {
+    let mut setup = pile("hertz-mindlin", rows);
+    (setup.gravity, setup.walls, setup.ledger) = (None, Vec::new(), false);
+    setup.fracc_every = 100;
+    for particle in &mut setup.particles {
+        let [x, y] = particle.at;
+        particle.velocity = [0.3 * (rows as f64 - x), 0.3 * (0.6 * rows as f64 - y)];
+    }
+    setup
+}
+
+/// Where a run ends.
+fn end(setup: &Setup, isa: Isa, threads: usize) -> Vec<[u64; 2]> {
+    let mut world = World::build(setup.clone(), threads).expect("the scene builds");
+    world.use_instructions(isa);
+    run(&mut world, 1500);
+    let rows = world.particles().row.iter();
+    rows.map(|row| row.x.map(f64::to_bits)).collect()
+}
+
+/// Motion leaves out what a scene has not, and keeps sums only for whoever looks: either way the same
+/// bits as with the ledger, which sums by itself and asks for everything.
+#[test]
+fn neither_does_what_motion_leaves_out() {
+    // 465 particles: three shares.
+    let clump = clump(30);
+    let mut rolling = clump.clone();
+    rolling.materials[0].rolling_friction = 0.2;
+    let mut pushed = clump.clone();
+    pushed.particles[40].force = [3.0, -2.0];
+    let mut walled = clump.clone();
+    walled.walls = vec![wall("floor", [-60.0, 0.0], [90.0, 0.0])];
+    let mut ends = Vec::new();
+    for (name, setup) in [
+        ("clump", clump),
+        ("rolling", rolling),
+        ("pushed", pushed),
+        ("walled", walled),
+    ] {
+        let ledger = Setup {
+            ledger: true,
+            fracc_every: 1,
+            ..setup.clone()
+        };
+        let booked = end(&ledger, Isa::Baseline, 1);
+        for fracc_every in [1, 100] {
+            let setup = Setup {
+                fracc_every,
+                ..setup.clone()
+            };
+            for (isa, threads) in [(Isa::Baseline, 1), (Isa::widest(), 1), (Isa::widest(), 3)] {
+                let same = end(&setup, isa, threads) == booked;
+                assert!(same, "{name}, FRACC every {fracc_every}, {isa}, {threads}");
+            }
+        }
+        ends.push(booked);
+    }
+    // Each of them matters.
+    assert!(ends[1..].iter().all(|other| *other != ends[0]));
+}
+
+/// Contacts that have much in common are read in another way than others; what changes that in the
+/// middle of a run changes it for all instructions alike.
+#[test]
+fn neither_do_changes_of_what_contacts_have_in_common() {
+    let two = |mut setup: Setup, change: fn(&mut Material)| {
+        let mut other = setup.materials[0].clone();
+        other.name = "other".into();
+        change(&mut other);
+        setup.materials.push(other);
+        for particle in setup.particles.iter_mut().step_by(3) {
+            particle.material = 1;
+        }
+        setup
+    };
+    let mut scenes = Vec::new();
+    for law in ["linear", "hertz-mindlin", "mindlin-deresiewicz-exact"] {
+        let setup = Setup {
+            ledger: false,
+            ..pile(law, 12)
+        };
+        scenes.push((law, setup.clone()));
+        scenes.push((
+            "friction of two kinds",
+            two(setup.clone(), |m| m.friction = 0.1),
+        ));
+        scenes.push(("two densities", two(setup, |m| m.density *= 3.0)));
+    }
+    for (name, setup) in scenes {
+        let hashes = |isa: Isa| {
+            let mut world = World::build(setup.clone(), 1).expect("the scene builds");
+            world.use_instructions(isa);
+            let damping = setup.damping;
+            let mut hashes = Vec::new();
+            for stage in 0..6 {
+                match stage {
+                    1 => world.change_materials(|model| model.materials[0].friction = 0.0),
+                    2 => world.set_damping(Damping {
+                        tangential: Some(0.2),
+                        ..damping
+                    }),
+                    3 => world.change_materials(|model| model.materials[0].friction = 0.4),
+                    4 => world.set_damping(Damping {
+                        overlap_critical: Some(0.01),
+                        ..damping
+                    }),
+                    5 => world.set_damping(damping),
+                    _ => {}
+                }
+                run(&mut world, 300);
+                hashes.push(world.state_hash());
+            }
+            hashes
+        };
+        let one = hashes(Isa::Baseline);
+        assert!(one.windows(2).all(|pair| pair[0] != pair[1]), "{name}");
+        for isa in Isa::ALL.into_iter().filter(|isa| isa.is_here()) {
+            assert_eq!(one, hashes(isa), "{name}, {isa}");
+        }
+    }
+}

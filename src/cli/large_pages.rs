@@ -24,8 +24,9 @@ pub struct LargePages;
 /// Bytes that a large block of this size is given: a last page that is half full is made a whole one.
 #[cfg(target_os = "linux")]
 fn length(size: usize) -> usize {
+    // Small pages have 64 kB at most.
     size.max((size + LARGE) / PAGE * PAGE)
-        .next_multiple_of(4096)
+        .next_multiple_of(1 << 16)
 }
 
 /// A large block, at the beginning of a page; null if there is no memory.
@@ -49,6 +50,32 @@ fn map(size: usize) -> *mut u8 {
         let _ = munmap(block.byte_add(length), PAGE - before);
         let _ = madvise(block, length, Advice::LinuxHugepage);
         block.cast()
+    }
+}
+
+/// Moves a large block to where there is room for another size, without a copy; null if that cannot be,
+/// and then it stays.
+///
+/// # Safety
+/// It must come from [`map`] for so many bytes, and nobody may use it meanwhile.
+#[cfg(target_os = "linux")]
+unsafe fn remap(block: *mut u8, size: usize, new: usize) -> *mut u8 {
+    use rustix::mm::{MremapFlags, mremap_fixed};
+    let place = map(new);
+    if place.is_null() {
+        return place;
+    }
+    let (before, after) = (length(size), length(new));
+    // SAFETY: both are whole blocks of their own, of these lengths; the new one holds nothing yet.
+    unsafe {
+        let flags = MremapFlags::MAYMOVE;
+        match mremap_fixed(block.cast(), before, after, flags, place.cast()) {
+            Ok(moved) => moved.cast(),
+            Err(_) => {
+                unmap(place, new);
+                std::ptr::null_mut()
+            }
+        }
     }
 }
 
@@ -107,7 +134,15 @@ unsafe impl GlobalAlloc for LargePages {
             match (is_large(layout), is_large(new)) {
                 (false, false) => return System.realloc(block, layout, size),
                 #[cfg(target_os = "linux")]
-                (true, true) if length(layout.size()) == length(size) => return block,
+                (true, true) => {
+                    if length(layout.size()) == length(size) {
+                        return block;
+                    }
+                    let moved = remap(block, layout.size(), size);
+                    if !moved.is_null() {
+                        return moved;
+                    }
+                }
                 _ => {}
             }
             let moved = self.alloc(new);
@@ -153,9 +188,44 @@ mod tests {
                 *block = 7;
             }
             LargePages.dealloc(block, layout(sizes[sizes.len() - 1]));
-            let zeroed = LargePages.alloc_zeroed(layout(2 * PAGE));
-            assert!((0..2 * PAGE).all(|at| *zeroed.add(at) == 0));
-            LargePages.dealloc(zeroed, layout(2 * PAGE));
+            // Memory that was used and given back comes as noughts, too.
+            for byte in [0xff, 0] {
+                let zeroed = LargePages.alloc_zeroed(layout(2 * PAGE));
+                assert!((0..2 * PAGE).all(|at| *zeroed.add(at) == 0));
+                zeroed.write_bytes(byte, 2 * PAGE);
+                LargePages.dealloc(zeroed, layout(2 * PAGE));
+            }
         }
+    }
+
+    #[test]
+    fn what_cannot_be_had_is_refused_and_wide_alignments_are_kept() {
+        // SAFETY: as above; the largest layout there may be is never given.
+        unsafe {
+            let most = Layout::from_size_align(isize::MAX as usize - 7, 8).expect("a layout");
+            assert!(LargePages.alloc(most).is_null());
+            let layout = Layout::from_size_align(PAGE, 8).expect("a layout");
+            let block = LargePages.alloc(layout);
+            block.write_bytes(7, PAGE);
+            assert!(LargePages.realloc(block, layout, most.size()).is_null());
+            assert!(*block == 7 && *block.add(PAGE - 1) == 7);
+            LargePages.dealloc(block, layout);
+            let wide = Layout::from_size_align(PAGE, 2 * PAGE).expect("a layout");
+            let block = LargePages.alloc(wide);
+            assert_eq!(block.addr() % (2 * PAGE), 0);
+            *block = 7;
+            let grown = LargePages.realloc(block, wide, 4 * PAGE);
+            assert!(grown.addr().is_multiple_of(2 * PAGE) && *grown == 7);
+            let wide = Layout::from_size_align(4 * PAGE, 2 * PAGE).expect("a layout");
+            LargePages.dealloc(grown, wide);
+        }
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_last_page_is_large_if_it_is_half_full() {
+        let lengths = [LARGE, PAGE - 1, PAGE + 1, PAGE + LARGE - 1, PAGE + LARGE].map(length);
+        let step = 1 << 16;
+        assert_eq!(lengths, [PAGE, PAGE, PAGE + step, PAGE + LARGE, 2 * PAGE]);
     }
 }

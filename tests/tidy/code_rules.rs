@@ -40,7 +40,7 @@ const UNSAFE_FILES: &[&str] = &[
     "src/engine/contact/numbers.rs",
     "src/engine/contact/pass.rs",
     "src/engine/motion/",
-    "src/engine/threads.rs",
+    "src/engine/threads/",
     "tests/allocations.rs",
 ];
 
@@ -277,7 +277,7 @@ fn file_size_bites() {
 
 #[test]
 fn soundness_bites() {
-    let threads = "src/engine/threads.rs";
+    let threads = "src/engine/threads/mod.rs";
     bites(
         soundness,
         &[

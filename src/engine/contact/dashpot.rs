@@ -38,7 +38,7 @@ impl Viscosity for Undamped {
     type Plain<V: Lanes> = Self;
 
     fn all_plain(_: &[Option<f64>]) -> bool {
-        false
+        true
     }
 
     fn prepare(_: &Basis<'_>) -> Self {
@@ -68,6 +68,9 @@ numbers!(Rule {
 });
 
 impl Rule {
+    /// Neither critical anywhere nor pulling nor centred.
+    const PLAIN: [Option<f64>; 3] = [Some(f64::INFINITY), Some(0.0), Some(0.0)];
+
     fn of(basis: &Basis<'_>) -> Self {
         let pair = basis.pair;
         Self {
@@ -76,11 +79,6 @@ impl Rule {
             centre: if pair.centred { 0.5 / basis.m_eff } else { 0.0 },
         }
     }
-}
-
-impl Rule {
-    /// Neither critical anywhere nor pulling nor centred.
-    const PLAIN: [Option<f64>; 3] = [Some(f64::INFINITY), Some(0.0), Some(0.0)];
 }
 
 impl<V: Lanes> Rule<V> {

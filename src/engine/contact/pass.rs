@@ -129,8 +129,18 @@ pub struct Pass<L: Law, const BOOK: bool> {
 /// a look at it in every cycle.
 struct Tables {
     laws: [[Column; MOST]; 2],
+    /// Pairs, and contacts with walls.
+    counts: [usize; 2],
     /// Whether all pairs are plain.
     plain: bool,
+}
+
+impl Tables {
+    const NONE: Self = Self {
+        laws: [[Column::NONE; MOST]; 2],
+        counts: [0; 2],
+        plain: false,
+    };
 }
 
 // SAFETY: the columns are those of the pass itself, which changes them only with the tables.
@@ -145,10 +155,7 @@ impl<L: Law, const BOOK: bool> Pass<L, BOOK> {
             laws: [Parameters::new(), Parameters::new()],
             memory: Memories::default(),
             book: Vec::new(),
-            tables: Tables {
-                laws: [[Column::NONE; MOST]; 2],
-                plain: false,
-            },
+            tables: Tables::NONE,
         }
     }
 
@@ -182,6 +189,7 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
             one_each == [total; 2]
                 && slots.len() > total
                 && view.pairs.len() == self.laws[0].len()
+                && self.tables.counts == [self.laws[0].len(), self.laws[1].len()]
                 && (!BOOK || self.book.len() == total),
             "lists of contacts differ in length"
         );
@@ -235,6 +243,8 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
         room: usize,
         basis: &dyn Fn(usize) -> BasisOwned,
     ) {
+        // Those of before are no longer true from here on.
+        self.tables = Tables::NONE;
         let prepare = |k: usize| L::prepare(&basis(k).lend(BOOK));
         let [of_pairs, of_walls] = &mut self.laws;
         let shift = of_pairs.len() as u32;
@@ -246,6 +256,7 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
         }
         self.tables = Tables {
             laws: [self.laws[0].columns(), self.laws[1].columns()],
+            counts: [self.laws[0].len(), self.laws[1].len()],
             plain: L::all_plain(&self.laws[0].common()[..L::COUNT]),
         };
     }

@@ -39,7 +39,8 @@ impl<V: Lanes> Dashpots<V> for PlainConstant<V> {
     }
 }
 
-/// A dashpot along the normal that follows the stiffness of the spring beside it.
+/// A dashpot along the normal that follows the stiffness of the spring beside it, 2 b √M* its only number:
+/// without one across, and without β.
 #[derive(Debug, Clone, Copy)]
 pub struct PlainFollowing<V>(V);
 
@@ -72,5 +73,113 @@ impl<V: Lanes> Dashpots<V> for PlainFollowing<V> {
     #[inline(always)]
     fn tangential(&self, _: V, _: &Touch<V>) -> V {
         V::all(0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::columns::Parameters;
+    use super::super::hertz::Hertz;
+    use super::super::hertz_mindlin::HertzMindlin;
+    use super::super::law::{Contact, Law};
+    use super::super::linear::{LinearNormal, LinearShear};
+    use super::super::quantities::Basis;
+    use super::super::rolling::Unresisted;
+    use super::*;
+    use crate::engine::pair::Pair;
+    use crate::engine::setup::Dashpot;
+
+    type Spheres = Contact<Hertz, HertzMindlin<f64, false>, Unresisted, Following>;
+    type Discs = Contact<LinearNormal, LinearShear, Unresisted, Constant>;
+
+    const PAIR: Pair = Pair {
+        normal_stiffness: 1e6,
+        shear_stiffness: 1e6,
+        young: 1e9,
+        shear: 4e8,
+        friction: 0.5,
+        cohesion: 0.0,
+        rolling_friction: 0.0,
+        rolling_shape: 0.0,
+        dashpot: Dashpot::None,
+        fraction: [0.1, 0.0],
+        beta: [0.0; 2],
+        pull: false,
+        centred: false,
+    };
+
+    /// Whether three contacts of different sizes, two of one pair of materials and one of another, are
+    /// all plain.
+    fn plain<L: Law>(pairs: [Pair; 2], critical_above: f64) -> bool {
+        let mut parameters = Parameters::<L>::new();
+        for (k, pair) in [&pairs[0], &pairs[0], &pairs[1]].into_iter().enumerate() {
+            let basis = Basis {
+                pair,
+                m_eff: 1.0 + k as f64,
+                r_eff: 0.5 + k as f64,
+                critical_above,
+                nodes: 0,
+                booked: false,
+            };
+            parameters.push(L::prepare(&basis), 3);
+        }
+        L::all_plain(&parameters.common()[..L::COUNT])
+    }
+
+    fn both(pair: Pair) -> [bool; 2] {
+        let above = f64::INFINITY;
+        [
+            plain::<Spheres>([pair; 2], above),
+            plain::<Discs>([pair; 2], above),
+        ]
+    }
+
+    /// Otherwise the fast way would be taken by nobody, and no other test would tell.
+    #[test]
+    fn most_scenes_are_plain_and_what_needs_more_is_not() {
+        assert_eq!(both(PAIR), [true; 2]);
+        let undamped = Pair {
+            fraction: [0.0; 2],
+            ..PAIR
+        };
+        assert_eq!(both(undamped), [true; 2]);
+        // Constant dashpots across are read in any case.
+        let across = Pair {
+            fraction: [0.1; 2],
+            ..PAIR
+        };
+        assert_eq!(both(across), [false, true]);
+        let beta = Pair {
+            beta: [1e-5, 0.0],
+            ..PAIR
+        };
+        assert_eq!(both(beta), [false, true]);
+        assert_eq!(both(Pair { pull: true, ..PAIR }), [false; 2]);
+        assert_eq!(
+            both(Pair {
+                centred: true,
+                ..PAIR
+            }),
+            [false; 2]
+        );
+        assert!(!plain::<Spheres>([PAIR; 2], 0.01) && !plain::<Discs>([PAIR; 2], 0.01));
+        let smooth = Pair {
+            friction: 0.0,
+            ..PAIR
+        };
+        assert_eq!(both(smooth), [false, true]);
+        let two = [
+            PAIR,
+            Pair {
+                friction: 0.2,
+                ..PAIR
+            },
+        ];
+        assert!(!plain::<Spheres>(two, f64::INFINITY));
+        let sticky = two.map(|pair| Pair {
+            cohesion: 3.0,
+            ..pair
+        });
+        assert!(plain::<Spheres>(sticky, f64::INFINITY));
     }
 }

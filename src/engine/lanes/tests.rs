@@ -106,7 +106,19 @@ fn number() -> impl Strategy<Value = f64> {
         Just(-0.0),
         Just(1.0),
         Just(f64::INFINITY),
+        Just(f64::NAN),
     ]
+}
+
+proptest! {
+    /// What the contact loop relies on: whoever is not nearer than the sum of radii by squares is not by
+    /// roots either.
+    #[test]
+    fn the_root_of_a_rounded_square_is_the_number_itself(x in 1e-9..1e9f64, ulps in 0..4u64) {
+        prop_assert_eq!((x * x).sqrt(), x);
+        let further = f64::from_bits((x * x).to_bits() + ulps);
+        prop_assert!(x - further.sqrt() <= 0.0);
+    }
 }
 
 #[cfg(target_arch = "x86_64")]

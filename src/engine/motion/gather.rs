@@ -12,7 +12,8 @@ use crate::engine::lanes::Quad;
 use crate::engine::neighbours::list::ContactList;
 use crate::engine::neighbours::whose::{LASTS, NUMBERS, Places, Whose};
 
-/// Signs of force, tangential force and rolling moment on the second body, beside those on the first.
+/// Signs of force, tangential force and rolling moment on the second body, beside those on the first: of
+/// the noughts only the sign counts.
 const SECOND: [f64; 4] = [-0.0, -0.0, 0.0, -0.0];
 
 /// Particles whose slots are asked for before their turn.
@@ -79,8 +80,8 @@ impl<'a> Gather<'a> {
         }
     }
 
-    /// The sums of particle `p`, with absolute values if `SIZE`, at walls, too, if `WALLS`: over either kind of its pairs in the order
-    /// of the list, so that pairs that do not touch change no bit.
+    /// The sums of particle `p`, with absolute values if `SIZE`, at walls, too, if `WALLS`: over either kind
+    /// of its pairs in the order of the list, so that pairs that do not touch change no bit.
     ///
     /// # Safety
     /// There must be such a particle.

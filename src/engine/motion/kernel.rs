@@ -39,12 +39,13 @@ const SIZED: u8 = 3;
 
 fn damped<D: Drag>(inputs: &Inputs<'_>, drag: D, stretch: &mut Stretch<'_>) -> Watch {
     let contacts = inputs.contacts;
-    let plain = inputs.body.is_empty() && !contacts.rolls && !contacts.whose().meet_walls();
+    let more = !inputs.body.is_empty() || contacts.rolls || contacts.whose().meet_walls();
     match inputs.sums {
         Sums::Done => chosen::<D, DONE, true, true>(inputs, drag, stretch),
-        // Nearly all cycles are such: what a scene has not is not asked for each particle.
-        Sums::Used if plain => chosen::<D, USED, true, false>(inputs, drag, stretch),
+        // What a scene has not is not asked for each particle.
+        Sums::Used if !more => chosen::<D, USED, true, false>(inputs, drag, stretch),
         Sums::Used => chosen::<D, USED, true, true>(inputs, drag, stretch),
+        Sums::Kept if !more => chosen::<D, KEPT, true, false>(inputs, drag, stretch),
         Sums::Kept => chosen::<D, KEPT, true, true>(inputs, drag, stretch),
         Sums::Sized => chosen::<D, SIZED, true, true>(inputs, drag, stretch),
     }

@@ -3,9 +3,9 @@
 //!
 //! Each worker has a desk where the caller lays a task, and spins before it: handing over and
 //! waiting are a few loads and stores, no call to the system. One that finds nothing for some
-//! hundred microseconds parks. The thread that calls takes the first stretch itself, and then those
-//! that no worker has begun: on a busy machine it does not wait for threads that others keep from
-//! running. Per-call threads (scoped spawn, about 20 µs) cost more than a step of 600 particles, and
+//! hundred microseconds parks. The thread that calls takes the first stretch itself, and soon after
+//! those that no worker has begun: on a busy machine it does not wait for threads that others keep
+//! from running. Per-call threads (scoped spawn, about 20 µs) cost more than a step of 600 particles, and
 //! a general pool cannot promise fixed stretches; hence this small one.
 #![allow(
     unsafe_code,
@@ -30,8 +30,8 @@ const SPIN: u32 = 10_000;
 /// The same where there are more threads than processors.
 const SPIN_CROWDED: u32 = 50;
 
-/// Rounds that a caller waits for a worker before it looks whether that one has begun: a microsecond or
-/// two.
+/// Rounds that a caller waits for a worker before it looks whether that one has begun: some
+/// microseconds.
 const PATIENCE: u32 = 100;
 
 /// Times a worker lets others run before it parks.
@@ -101,10 +101,11 @@ struct Worker {
     handle: JoinHandle<()>,
 }
 
-/// A team of threads.
+/// A team of threads, which works for one caller at a time.
 pub struct Threads {
     workers: Vec<Worker>,
     spin: u32,
+    busy: AtomicBool,
 }
 
 impl Default for Threads {
@@ -140,7 +141,11 @@ impl Threads {
                 Some(Worker { desk, handle })
             })
             .collect();
-        Self { workers, spin }
+        Self {
+            workers,
+            spin,
+            busy: AtomicBool::new(false),
+        }
     }
 
     /// A team of so many threads, or, for 0, of as many as suit so many particles.
@@ -213,6 +218,10 @@ impl Threads {
         if parts == 0 {
             return;
         }
+        if self.busy.swap(true, Ordering::Acquire) {
+            // Asked from within, or by another thread: nobody is free.
+            return (0..parts).for_each(work);
+        }
         let data = std::ptr::from_ref(&work).cast();
         let helpers = &self.workers[..parts - 1];
         for worker in helpers {
@@ -223,6 +232,7 @@ impl Threads {
         let wait = Wait {
             helpers,
             spin: self.spin,
+            busy: &self.busy,
         };
         work(0);
         for (part, worker) in helpers.iter().enumerate() {
@@ -231,13 +241,8 @@ impl Threads {
             }
         }
         drop(wait);
-        let failed = |worker: &Worker| {
-            let failed = &worker.desk.failed.0;
-            failed.load(Ordering::Relaxed) && failed.swap(false, Ordering::Relaxed)
-        };
-        // All of them, so that none is left set.
-        let failures = helpers.iter().filter(|worker| failed(worker)).count();
-        assert!(failures == 0, "a worker thread panicked");
+        let failed = |worker: &Worker| worker.desk.failed.0.load(Ordering::Relaxed);
+        assert!(!helpers.iter().any(failed), "a worker thread panicked");
     }
 }
 
@@ -248,6 +253,10 @@ impl Worker {
         // SAFETY: what lay here before was begun by the caller, or the worker is done with it: `split`
         // waits for that.
         unsafe { *order.task.get() = Some(task) };
+        // Looked at first: it hardly ever is.
+        if self.desk.failed.0.load(Ordering::Relaxed) {
+            self.desk.failed.0.store(false, Ordering::Relaxed);
+        }
         let number = order.laid.load(Ordering::Relaxed) + 1;
         order.laid.store(number, Ordering::Release);
         // One that parks just now may be missed here: whoever takes its task back sees it.
@@ -295,6 +304,7 @@ impl Worker {
 struct Wait<'a> {
     helpers: &'a [Worker],
     spin: u32,
+    busy: &'a AtomicBool,
 }
 
 impl Drop for Wait<'_> {
@@ -316,6 +326,7 @@ impl Drop for Wait<'_> {
                 }
             }
         }
+        self.busy.store(false, Ordering::Release);
     }
 }
 
@@ -386,87 +397,11 @@ impl Drop for Threads {
         for worker in self.workers.drain(..) {
             worker.desk.order.0.stop.store(true, Ordering::SeqCst);
             worker.handle.thread().unpark();
-            // A worker's panic was reported by `run`.
+            // A worker's panic was reported by `split`.
             drop(worker.handle.join());
         }
     }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_job_is_done_once() {
-        let threads = Threads::new(3);
-        for round in 0..200u64 {
-            let mut jobs = [round, round + 1, round + 2];
-            threads.run(&mut jobs, |job| *job *= 2);
-            assert_eq!(jobs, [2 * round, 2 * round + 2, 2 * round + 4]);
-        }
-    }
-
-    #[test]
-    fn fewer_jobs_than_threads_and_idle_times_lose_nothing() {
-        let threads = Threads::new(4);
-        let mut sum = 0;
-        for round in 0..400usize {
-            let mut jobs = vec![0; 1 + round % 4];
-            threads.run(&mut jobs, |job| *job += 1);
-            sum += jobs.iter().sum::<usize>();
-            if round % 100 == 99 {
-                // Until all are parked, however busy the machine is.
-                let parked = |worker: &Worker| worker.desk.parked.0.load(Ordering::SeqCst);
-                let mut tries = 0;
-                while !threads.workers.iter().all(parked) {
-                    std::thread::yield_now();
-                    tries += 1u64;
-                    assert!(tries < 1_000_000_000, "a worker goes on spinning");
-                }
-            }
-        }
-        assert_eq!(sum, 1000);
-    }
-
-    #[test]
-    fn shares_cover_everything() {
-        for total in [0, 1, 7, 1000] {
-            let cut: Vec<usize> = (0..3).flat_map(|part| share(total, 3, part)).collect();
-            assert_eq!(cut, (0..total).collect::<Vec<_>>());
-        }
-    }
-
-    #[test]
-    fn stretches_know_where_they_begin() {
-        for threads in [1, 2, 3] {
-            let mut items = vec![0; 1000];
-            Threads::new(threads).each(&mut items, |first, items| {
-                for (k, item) in items.iter_mut().enumerate() {
-                    *item = first + k;
-                }
-            });
-            assert_eq!(items, (0..1000).collect::<Vec<_>>());
-        }
-    }
-
-    #[test]
-    fn few_particles_get_one_thread_and_none_more_than_there_are_processors() {
-        assert_eq!(suited(0, 8), 1);
-        assert_eq!(suited(1999, 8), 1);
-        assert_eq!(suited(2000, 8), 2);
-        assert_eq!(suited(1_000_000, 8), 8);
-        assert_eq!(suited(1_000_000, 0), 1);
-    }
-
-    #[test]
-    fn a_panic_in_a_worker_reaches_the_caller() {
-        let threads = Threads::new(2);
-        let caught = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
-            threads.run(&mut [0, 1], |job| {
-                assert!(*job == 0, "job 1 fails on purpose");
-            });
-        }));
-        assert!(caught.is_err());
-        threads.run(&mut [0, 0], |job| *job += 1);
-    }
-}
+mod tests;
