@@ -299,8 +299,8 @@ fn soundness_bites() {
         ],
     );
     assert!(
-        UNSAFE_FILES.len() <= 12,
-        "twelve are already a lot to review"
+        UNSAFE_FILES.len() <= 13,
+        "thirteen are already a lot to review"
     );
 }
 

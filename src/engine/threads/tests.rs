@@ -66,15 +66,14 @@ fn few_particles_get_one_thread_and_none_more_than_there_are_processors() {
 
 /// Until somebody sets it, or a while has passed.
 fn wait_for(flag: &AtomicBool) -> bool {
-    let begun = std::time::Instant::now();
-    while !flag.load(Ordering::Acquire) {
-        if begun.elapsed() > std::time::Duration::from_millis(2) {
-            return false;
-        }
+    (0..WHILE).any(|_| {
         std::thread::yield_now();
-    }
-    true
+        flag.load(Ordering::Acquire)
+    })
 }
+
+/// Turns that others are given: some milliseconds.
+const WHILE: usize = 20_000;
 
 /// Until a worker has begun part 1 once: on a busy machine the caller may take it back several times.
 fn until_a_worker_helps(threads: &Threads, mut once: impl FnMut(&AtomicBool) -> bool) {
@@ -126,7 +125,8 @@ fn panics(own: bool, others: bool) {
                     assert!(!(own && helped), "part 0 fails on purpose");
                 } else if std::thread::current().id() != caller {
                     begun.store(true, Ordering::Release);
-                    std::thread::sleep(std::time::Duration::from_millis(5));
+                    // The caller has its panic meanwhile.
+                    (0..WHILE).for_each(|_| std::thread::yield_now());
                     // What the caller lent is still there, panic or not.
                     written.store(true, Ordering::Release);
                     assert!(!others, "part 1 fails on purpose");
