@@ -1,8 +1,8 @@
 //! Memory in large pages, where the system has them.
 //!
 //! A pass goes through some twenty columns side by side, and asks for a new page of each every few
-//! hundred particles: with pages of 4 kB a million of them take a fifth longer than with pages of
-//! 2 MB. Linux gives those to whoever asks, if they are there; nothing but speed depends on it.
+//! hundred particles: with pages of 4 kB a million of them take a seventh longer than with pages
+//! of 2 MB. Linux gives those to whoever asks, if they are there; nothing but speed depends on it.
 #![allow(
     unsafe_code,
     reason = "an allocator is that; each use says what it relies on"

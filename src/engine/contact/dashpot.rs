@@ -21,16 +21,6 @@ impl<V: Lanes> Dashpots<V> for Undamped {
         // A spring that was summed up from increments may have gone below zero.
         elastic.positive()
     }
-
-    #[inline(always)]
-    fn rubs(&self, _: &Touch<V>) -> bool {
-        false
-    }
-
-    #[inline(always)]
-    fn tangential(&self, _: V, _: &Touch<V>) -> V {
-        V::all(0.0)
-    }
 }
 
 impl Viscosity for Undamped {
@@ -151,7 +141,7 @@ impl Viscosity for Constant {
     type Plain<V: Lanes> = PlainConstant<V>;
 
     fn all_plain(common: &[Option<f64>]) -> bool {
-        common[4..] == Rule::PLAIN
+        matches!(common, [_, _, _, _, rule @ ..] if rule == Rule::PLAIN)
     }
 
     fn prepare(basis: &Basis<'_>) -> Self {

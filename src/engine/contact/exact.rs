@@ -7,7 +7,6 @@
 use super::card::{Card, FRICTION, POISSON, Slip, YOUNG};
 use super::dashpot::Following;
 use super::diagram::{Diagram, Partial, PartialLanes};
-use super::each::{Alone, Each, Slipped};
 use super::hertz::{self, Hertz};
 use super::inner::Inner;
 use super::linear::Frictionless;
@@ -75,8 +74,8 @@ impl<const M: usize> Written<f64> for ExactShear<M> {
 /// The same in lanes.
 #[derive(Debug, Clone, Copy)]
 pub struct ExactLanes<V, const M: usize> {
+    /// Where the parameters of the block stand.
     from: Reading,
-    each: Each<ExactShear<M>>,
     partial: PartialLanes<V>,
 }
 
@@ -90,9 +89,9 @@ impl<V: Lanes, const M: usize> Numbers<V> for ExactLanes<V, M> {
         let mut partial = here;
         let [hertz, _compliance] = <[V; 2]>::take(&mut partial);
         let [per_compliance, friction] = <[V; 2]>::take(&mut partial);
+        from.skip(ExactShear::<M>::COUNT);
         Self {
             from: here,
-            each: <Each<_> as Numbers<V>>::take(from),
             partial: PartialLanes {
                 hertz,
                 per_compliance,
@@ -110,7 +109,7 @@ impl<V: Lanes, const M: usize> TangentialForce<V> for ExactLanes<V, M> {
     fn force(&self, touch: &Touch<V>, load: &Load<V>, memory: &mut *mut Diagram<M>) -> Shear<V> {
         let from = self.from;
         if V::COUNT == 1 || Partial::take(&mut from.further(0)).is_booked() {
-            return self.each.force(touch, load, memory);
+            return self.one_by_one(touch, load, *memory);
         }
         // SAFETY: the loop hands over where the memories of the block begin, and nobody else works
         // on them.
@@ -133,7 +132,37 @@ impl<V: Lanes, const M: usize> TangentialForce<V> for ExactLanes<V, M> {
 
     #[inline(always)]
     fn steepest(&self, overlap: V) -> V {
-        self.each.steepest(overlap)
+        let mut stiffness = overlap.numbers();
+        for (lane, x) in stiffness.iter_mut().enumerate().take(V::COUNT) {
+            *x = ExactShear::<M>::take(&mut self.from.further(lane)).stiffness(*x);
+        }
+        V::of(&stiffness)
+    }
+}
+
+impl<V: Lanes, const M: usize> ExactLanes<V, M> {
+    /// Contact by contact within the block: what is booked branches too much for lanes.
+    #[inline(always)]
+    fn one_by_one(&self, touch: &Touch<V>, load: &Load<V>, memory: *mut Diagram<M>) -> Shear<V> {
+        let touching = V::bits(touch.touching);
+        let (overlap, d) = (touch.overlap.numbers(), (touch.slide * touch.dt).numbers());
+        let [mut force, mut gross, mut micro] = [[0.0; 8]; 3];
+        let mut sliding = 0;
+        for lane in (0..V::COUNT).filter(|lane| touching >> lane & 1 == 1) {
+            let partial = Partial::take(&mut self.from.further(lane));
+            // SAFETY: the loop hands over where the memories of the block begin, and nobody else
+            // works on them.
+            let memory = unsafe { &mut *memory.add(lane) };
+            let slip = partial.advance(overlap[lane], d[lane], memory);
+            (force[lane], gross[lane], micro[lane]) = (slip.force, slip.gross, slip.micro);
+            sliding |= u32::from(slip.sliding) << lane;
+        }
+        Shear {
+            force: V::of(&force),
+            loss: [V::of(&gross), V::of(&micro)],
+            sliding: V::mask(sliding),
+            limit: load.limit(self.partial.friction, V::all(0.0)),
+        }
     }
 }
 
@@ -146,18 +175,6 @@ impl<const M: usize> Memory for Diagram<M> {
 
     fn visit(&self, see: &mut dyn FnMut(f64)) {
         self.numbers(see);
-    }
-}
-
-impl<const M: usize> Alone for ExactShear<M> {
-    #[inline(always)]
-    fn advance(&self, overlap: f64, displacement: f64, memory: &mut Diagram<M>) -> Slipped {
-        self.partial.advance(overlap, displacement, memory)
-    }
-
-    #[inline(always)]
-    fn friction(&self) -> f64 {
-        self.friction
     }
 }
 

@@ -147,7 +147,13 @@ impl<const KEEP: bool> Tangential for HertzMindlin<f64, KEEP> {
     type Plain<V: Lanes> = Rubbing<V, KEEP>;
 
     fn all_plain(common: &[Option<f64>]) -> bool {
-        common[1..].iter().flatten().any(|&limit| limit > 0.0)
+        let [_, friction, cohesion] = common else {
+            return false;
+        };
+        [friction, cohesion]
+            .into_iter()
+            .flatten()
+            .any(|&limit| limit > 0.0)
     }
 
     fn prepare(basis: &Basis<'_>) -> Self {

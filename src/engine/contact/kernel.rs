@@ -82,22 +82,23 @@ impl<L: Law> Kernel<'_, L> {
         if from < last {
             // SAFETY: the caller's; instructions are used only where the processor has them.
             unsafe {
+                let plain = self.plain && !BOOK;
                 match isa {
                     #[cfg(target_arch = "x86_64")]
+                    Isa::Avx512 if Isa::Avx512.is_here() && plain => {
+                        self.with_eight::<L::Plain<Eight>, false>(from, last);
+                    }
+                    #[cfg(target_arch = "x86_64")]
                     Isa::Avx512 if Isa::Avx512.is_here() => {
-                        if self.plain && !BOOK {
-                            self.plain_eight(from, last);
-                        } else {
-                            self.with_eight::<BOOK>(from, last);
-                        }
+                        self.with_eight::<L::On<Eight>, BOOK>(from, last);
+                    }
+                    #[cfg(target_arch = "x86_64")]
+                    Isa::Avx2 if Isa::Avx2.is_here() && plain => {
+                        self.with_four::<L::Plain<Four>, false>(from, last);
                     }
                     #[cfg(target_arch = "x86_64")]
                     Isa::Avx2 if Isa::Avx2.is_here() => {
-                        if self.plain && !BOOK {
-                            self.plain_four(from, last);
-                        } else {
-                            self.with_four::<BOOK>(from, last);
-                        }
+                        self.with_four::<L::On<Four>, BOOK>(from, last);
                     }
                     _ => self.pairs::<f64, L::On<f64>, BOOK>(from, last),
                 }
@@ -111,30 +112,22 @@ impl<L: Law> Kernel<'_, L> {
 
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2")]
-    unsafe fn with_eight<const BOOK: bool>(&self, from: usize, to: usize) {
+    unsafe fn with_eight<R, const BOOK: bool>(&self, from: usize, to: usize)
+    where
+        R: React<Eight, Memory = Held<L::Memo, Eight>>,
+    {
         // SAFETY: the caller's.
-        unsafe { self.pairs::<Eight, L::On<Eight>, BOOK>(from, to) }
-    }
-
-    #[cfg(target_arch = "x86_64")]
-    #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2")]
-    unsafe fn plain_eight(&self, from: usize, to: usize) {
-        // SAFETY: the caller's.
-        unsafe { self.pairs::<Eight, L::Plain<Eight>, false>(from, to) }
+        unsafe { self.pairs::<Eight, R, BOOK>(from, to) }
     }
 
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2")]
-    unsafe fn with_four<const BOOK: bool>(&self, from: usize, to: usize) {
+    unsafe fn with_four<R, const BOOK: bool>(&self, from: usize, to: usize)
+    where
+        R: React<Four, Memory = Held<L::Memo, Four>>,
+    {
         // SAFETY: the caller's.
-        unsafe { self.pairs::<Four, L::On<Four>, BOOK>(from, to) }
-    }
-
-    #[cfg(target_arch = "x86_64")]
-    #[target_feature(enable = "avx2")]
-    unsafe fn plain_four(&self, from: usize, to: usize) {
-        // SAFETY: the caller's.
-        unsafe { self.pairs::<Four, L::Plain<Four>, false>(from, to) }
+        unsafe { self.pairs::<Four, R, BOOK>(from, to) }
     }
 
     #[inline(always)]

@@ -10,7 +10,6 @@ pub mod card;
 mod columns;
 pub mod dashpot;
 pub mod diagram;
-pub mod each;
 pub mod exact;
 mod geometry;
 pub mod hertz;
@@ -31,6 +30,7 @@ pub mod pass;
 mod plain;
 pub mod quantities;
 pub mod rolling;
+pub mod slipped;
 pub mod traction;
 pub mod two_reversals;
 

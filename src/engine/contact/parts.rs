@@ -144,9 +144,15 @@ pub trait Dashpots<V: Lanes>: Numbers<V> {
     /// Normal force [N] of a spring of this force and stiffness [N/m] with the dashpot beside it.
     fn normal(&self, elastic: V, stiffness: V, touch: &Touch<V>) -> V;
     /// Whether any lane has a tangential dashpot.
-    fn rubs(&self, touch: &Touch<V>) -> bool;
+    #[inline(always)]
+    fn rubs(&self, _touch: &Touch<V>) -> bool {
+        false
+    }
     /// Tangential dashpot force [N] beside a spring of this stiffness [N/m].
-    fn tangential(&self, stiffness: V, touch: &Touch<V>) -> V;
+    #[inline(always)]
+    fn tangential(&self, _stiffness: V, _touch: &Touch<V>) -> V {
+        V::all(0.0)
+    }
 }
 
 /// Dashpots of a law.

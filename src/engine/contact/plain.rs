@@ -64,16 +64,6 @@ impl<V: Lanes> Dashpots<V> for PlainFollowing<V> {
             elastic.positive()
         }
     }
-
-    #[inline(always)]
-    fn rubs(&self, _: &Touch<V>) -> bool {
-        false
-    }
-
-    #[inline(always)]
-    fn tangential(&self, _: V, _: &Touch<V>) -> V {
-        V::all(0.0)
-    }
 }
 
 #[cfg(test)]

@@ -12,9 +12,8 @@ use crate::engine::lanes::Quad;
 use crate::engine::neighbours::list::ContactList;
 use crate::engine::neighbours::whose::{LASTS, NUMBERS, Places, Whose};
 
-/// Signs of force, tangential force and rolling moment on the second body, beside those on the first: of
-/// the noughts only the sign counts.
-const SECOND: [f64; 4] = [-0.0, -0.0, 0.0, -0.0];
+/// Signs of force, tangential force and rolling moment on the second body, beside those on the first.
+const SECOND: [f64; 4] = [-1.0, -1.0, 1.0, -1.0];
 
 /// Particles whose slots are asked for before their turn.
 const AHEAD: usize = 16;
@@ -137,7 +136,7 @@ impl<'a> Gather<'a> {
         let second = sums(pairs(0, LASTS[0]));
         let first = sums(pairs(LASTS[0] + 1, LASTS[1]).chain(walls));
         [
-            [0, 1, 2, 3].map(|k| 1f64.copysign(SECOND[k]) * second[0][k] + first[0][k] + 0.0),
+            [0, 1, 2, 3].map(|k| SECOND[k] * second[0][k] + first[0][k] + 0.0),
             [0, 1, 2, 3].map(|k| second[1][k] + first[1][k]),
         ]
     }

@@ -16,7 +16,7 @@ use super::neighbours::list::ContactList;
 use super::particles::{Mobility, Row, Sum, are_far};
 use super::rows::Rows;
 use super::shares;
-use super::threads::{MAX_THREADS, Threads};
+use super::threads::{Apart, MAX_THREADS, Threads};
 
 /// What the pass noticed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -184,7 +184,7 @@ fn in_parts<const MOST: usize>(
             force,
             ask,
         };
-        *job = Some(Job(stretch, Watch::NOTHING));
+        *job = Some(Apart((stretch, Watch::NOTHING)));
         rest = Stretch {
             first: own.end,
             rows: rows_rest,
@@ -195,18 +195,17 @@ fn in_parts<const MOST: usize>(
         seen_before = seen;
     }
     threads.run(jobs, |job| {
-        if let Some(Job(stretch, watch)) = job {
+        if let Some(Apart((stretch, watch))) = job {
             *watch = work(stretch);
         }
     });
     jobs.iter()
         .flatten()
-        .fold(Watch::NOTHING, |all, Job(_, watch)| all.and(*watch))
+        .fold(Watch::NOTHING, |all, Apart((_, watch))| all.and(*watch))
 }
 
-/// A stretch and what was watched there, apart from others'.
-#[repr(align(128))]
-struct Job<'a>(Stretch<'a>, Watch);
+/// A stretch and what was watched there.
+type Job<'a> = Apart<(Stretch<'a>, Watch)>;
 
 /// Parts that are laid out at once.
 const FEW: usize = 4;

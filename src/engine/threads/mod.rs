@@ -5,8 +5,8 @@
 //! waiting are a few loads and stores, no call to the system. One that finds nothing for some
 //! hundred microseconds parks. The thread that calls takes the first stretch itself, and soon after
 //! those that no worker has begun: on a busy machine it does not wait for threads that others keep
-//! from running. Per-call threads (scoped spawn, about 20 µs) cost more than a step of 600 particles, and
-//! a general pool cannot promise fixed stretches; hence this small one.
+//! from running. Per-call threads (scoped spawn, about 20 µs) cost more than a step of 600 particles,
+//! and a general pool cannot promise fixed stretches; hence this small one.
 #![allow(
     unsafe_code,
     reason = "lends a borrowed task to workers for the length of one call"
@@ -67,7 +67,7 @@ struct Task {
 /// What no other thread writes meanwhile: a stretch of memory that processors do not take from each other
 /// for the sake of something else.
 #[repr(align(128))]
-struct Apart<T>(T);
+pub(super) struct Apart<T>(pub(super) T);
 
 /// Where a worker finds its tasks. They are numbered from 1.
 struct Desk {
@@ -222,6 +222,8 @@ impl Threads {
             // Asked from within, or by another thread: nobody is free.
             return (0..parts).for_each(work);
         }
+        // To the very end, so that nobody clears what is asked below.
+        let _busy = Busy(&self.busy);
         let data = std::ptr::from_ref(&work).cast();
         let helpers = &self.workers[..parts - 1];
         for worker in helpers {
@@ -232,7 +234,6 @@ impl Threads {
         let wait = Wait {
             helpers,
             spin: self.spin,
-            busy: &self.busy,
         };
         work(0);
         for (part, worker) in helpers.iter().enumerate() {
@@ -270,8 +271,8 @@ impl Worker {
         }
     }
 
-    /// Whether its task is done within the time that takes which others have for theirs; looks at nothing
-    /// that the worker needs meanwhile.
+    /// Whether its task is done within a short wait, which looks at nothing that the worker writes before
+    /// the end.
     fn is_soon_done(&self) -> bool {
         let laid = self.desk.order.0.laid.load(Ordering::Relaxed);
         for _ in 0..PATIENCE {
@@ -304,7 +305,15 @@ impl Worker {
 struct Wait<'a> {
     helpers: &'a [Worker],
     spin: u32,
-    busy: &'a AtomicBool,
+}
+
+/// Whoever works for a caller is free again at its end.
+struct Busy<'a>(&'a AtomicBool);
+
+impl Drop for Busy<'_> {
+    fn drop(&mut self) {
+        self.0.store(false, Ordering::Release);
+    }
 }
 
 impl Drop for Wait<'_> {
@@ -326,7 +335,6 @@ impl Drop for Wait<'_> {
                 }
             }
         }
-        self.busy.store(false, Ordering::Release);
     }
 }
 

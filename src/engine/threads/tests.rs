@@ -75,11 +75,12 @@ fn wait_for(flag: &AtomicBool) -> bool {
 /// Turns that others are given: some milliseconds.
 const WHILE: usize = 20_000;
 
-/// Until a worker has begun part 1 once: on a busy machine the caller may take it back several times.
-fn until_a_worker_helps(threads: &Threads, mut once: impl FnMut(&AtomicBool) -> bool) {
-    for _ in 0..10_000 {
+/// Until a worker has begun part 1 once: in which try. On a busy machine the caller may take it back
+/// several times.
+fn until_a_worker_helps(threads: &Threads, mut once: impl FnMut(&AtomicBool) -> bool) -> usize {
+    for tries in 0..10_000 {
         if once(&AtomicBool::new(false)) {
-            return;
+            return tries;
         }
         // One that was missed when it parked is awake by then.
         threads.split(2, |_| {});
@@ -90,13 +91,14 @@ fn until_a_worker_helps(threads: &Threads, mut once: impl FnMut(&AtomicBool) -> 
 #[test]
 fn a_parked_worker_is_woken() {
     let threads = Threads::new(2);
+    let mut at_once = 0;
     for _ in 0..20 {
         let parked = &threads.workers[0].desk.parked.0;
         while !parked.load(Ordering::SeqCst) {
             std::thread::yield_now();
         }
         let caller = std::thread::current().id();
-        until_a_worker_helps(&threads, |begun| {
+        let tries = until_a_worker_helps(&threads, |begun| {
             let helped = AtomicBool::new(false);
             threads.split(2, |part| {
                 if part == 0 {
@@ -109,7 +111,10 @@ fn a_parked_worker_is_woken() {
             });
             helped.into_inner()
         });
+        at_once += usize::from(tries == 0);
     }
+    // By the task itself, and not only after it was taken back.
+    assert!(at_once > 0);
 }
 
 /// What part 0 and part 1 do once a worker has begun the latter, and whether the caller was told.

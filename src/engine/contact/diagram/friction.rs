@@ -2,7 +2,7 @@
 
 use super::partial::Partial;
 use super::polyline::{Diagram, Node, ORIGIN};
-use crate::engine::contact::each::Slipped;
+use crate::engine::contact::slipped::Slipped;
 
 impl Partial {
     /// Lets a memory of higher friction slip to the present one while the bodies stand still.

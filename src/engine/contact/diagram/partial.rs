@@ -1,8 +1,8 @@
 //! One contact with partial slip and its step.
 
 use super::polyline::{Diagram, Node, ORIGIN};
-use crate::engine::contact::each::Slipped;
 use crate::engine::contact::numbers::{Numbers, Reading, Writing, Written};
+use crate::engine::contact::slipped::Slipped;
 
 /// Parameters of one contact, prepared once per pair and rebuild.
 #[derive(Debug, Clone, Copy)]

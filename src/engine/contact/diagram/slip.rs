@@ -3,7 +3,7 @@
 use super::partial::Partial;
 use super::polyline::{Diagram, Node};
 use super::sweep::{mean_depth, mean_gap, mean_load};
-use crate::engine::contact::each::Slipped;
+use crate::engine::contact::slipped::Slipped;
 
 /// Share of a step's slip below which a swept segment is rounding: a zone that goes on slipping.
 const ROUNDING: f64 = 1e-12;

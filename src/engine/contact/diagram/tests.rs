@@ -199,7 +199,7 @@ fn no_friction_no_force() {
     let (rough, smooth) = (law(0.4), law(0.0));
     let mut memory = Diagram::<8>::default();
     let slip = smooth.advance(OVERLAP, OVERLAP, &mut memory);
-    assert_eq!(slip, crate::engine::contact::each::Slipped::default());
+    assert_eq!(slip, crate::engine::contact::slipped::Slipped::default());
     // Roughened, it begins without force; made smooth again, it loses what it stored.
     rough.advance(OVERLAP, 0.1 * OVERLAP, &mut memory);
     let stored = rough.energy(&memory);

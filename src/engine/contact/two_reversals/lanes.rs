@@ -5,7 +5,7 @@
 //! assembly), are left to [`TwoReversals::advance`]. The formulas are those of this folder, in the
 //! same order: so are the bits.
 
-use super::super::each::Slipped;
+use super::super::slipped::Slipped;
 use super::curves::lost;
 use super::held::{self, Columns, ReversalLanes};
 use super::{Size, TwoReversals};

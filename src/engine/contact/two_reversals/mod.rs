@@ -46,8 +46,8 @@ mod view;
 
 use serde::{Deserialize, Serialize};
 
-use super::each::Slipped;
 use super::numbers::{Numbers, Reading, Writing, Written, numbers};
+use super::slipped::Slipped;
 use crate::engine::lanes::Lanes;
 use curves::Run;
 pub use held::ReversalLanes;
