@@ -34,9 +34,7 @@ pub(super) fn follow<V: Lanes>(old: V, before: V, k: V, rescale: bool, d: V, lim
         old
     };
     let trial = start + k * d;
-    let size = trial.abs();
-    let sliding = size.above(limit);
-    let force = limit.smaller(size).copysign(trial);
+    let (force, sliding) = clipped(trial, limit);
     let gross = half * (start + force) * ((trial - force) / k);
     let slip = half * (old - start) * d + half * (old * old / before - start * start / k);
     Kept {
@@ -47,6 +45,14 @@ pub(super) fn follow<V: Lanes>(old: V, before: V, k: V, rescale: bool, d: V, lim
         ],
         sliding,
     }
+}
+
+/// A force that its limit lets pass, or the limit in its direction; and whether it was beyond. What is not
+/// a number stays that: nothing may hide it.
+#[inline(always)]
+pub(super) fn clipped<V: Lanes>(trial: V, limit: V) -> (V, V::Mask) {
+    let size = trial.abs();
+    (limit.smaller(size).copysign(trial), size.above(limit))
 }
 
 /// Energy stored [J].
@@ -61,6 +67,15 @@ pub(super) fn stored(force: f64, k: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn forces_keep_their_direction_and_nothing_hides_what_is_not_a_number() {
+        assert_eq!(clipped(-3.0, 2.0), (-2.0, true));
+        assert_eq!(clipped(3.0, 4.0), (3.0, false));
+        assert_eq!(clipped(3.0, 3.0), (3.0, false));
+        let (force, sliding) = clipped(f64::NAN, 2.0);
+        assert!(force.is_nan() && !sliding);
+    }
 
     /// Work of the mean force = change of the stored energy + losses, whatever the step.
     #[test]

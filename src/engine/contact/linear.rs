@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::card::{COHESION, Card, FRICTION, NORMAL, SHEAR, Slip};
 use super::dashpot::Constant;
+use super::history::clipped;
 use super::inner::Inner;
 use super::memory::{Memory, kept_as_columns};
 use super::numbers::{Numbers, Reading, Writing, Written, numbers};
@@ -266,9 +267,7 @@ impl<V: Lanes> TangentialForce<V> for LinearShear<V> {
         let old = memory.force;
         let trial = old + self.k * (touch.slide * touch.dt);
         let limit = load.limit(self.friction, self.cohesion);
-        let size = trial.abs();
-        let over = size.above(limit);
-        let force = limit.smaller(size).copysign(trial);
+        let (force, over) = clipped(trial, limit);
         memory.force = force;
         // Without a spring (friction switched off under load) what was held is simply dropped.
         let sliding = over & self.k.above(zero);
