@@ -8,7 +8,7 @@
 use std::fmt::Write;
 
 use ballast::engine::contact::laws::LAWS;
-use ballast::measure::columns::listing;
+use ballast::measure::columns::{MARKS, listing};
 use ballast::scene::catalogue::PRESETS;
 use ballast::scene::{About, Scene};
 
@@ -51,7 +51,11 @@ fn columns() -> String {
     let mut text = String::from("| column | unit | what it is |\n|---|---|---|\n");
     for (prefix, card) in listing() {
         let (name, unit, summary) = (card.name, card.unit, card.summary);
-        let _ = writeln!(text, "| `{prefix}{name}` | {unit} | {summary} |");
+        let mark = card.marks().replace('*', " \\*").replace('+', " \\+");
+        let _ = writeln!(text, "| `{prefix}{name}`{mark} | {unit} | {summary} |");
+    }
+    for mark in MARKS {
+        let _ = write!(text, "\n\\{mark}\n");
     }
     text
 }

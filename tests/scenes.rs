@@ -135,8 +135,8 @@ fn what_is_left_out_has_the_documented_value() {
     assert_eq!((scene.seed, scene.history.every), (1, 100));
     assert_eq!(scene.history.columns, Observable::usual());
     assert!(!scene.history.named && scene.check_every.is_none());
-    // The usual columns have energies among them.
-    assert!(setup.ledger);
+    // What makes cycles longer has to be named.
+    assert!(!setup.ledger && scene.booked_for().is_empty());
 
     let seconds = ["model.time_step=1e-5".to_owned()];
     let scene = Scene::parse("small", SMALL, &seconds).expect("it is a good preset");
@@ -160,8 +160,13 @@ fn energies_are_booked_only_if_something_reads_them() {
     let ledger = |more: &str| {
         let text = format!("{SMALL}[history]\ncolumns = [\"contacts\"]\n{more}");
         let scene = Scene::parse("small", &text, &[]).expect("it is a good preset");
+        assert_eq!(scene.setup.ledger, !scene.booked_for().is_empty());
         scene.setup.ledger
     };
+    let both = "[[stage]]\nname = \"a\"\nuntil = \"friction_loss > 1 and slip_loss > kinetic\"\n\
+                [history]\ncolumns = [\"contacts\", \"slip_loss\"]\n";
+    let scene = Scene::parse("small", &format!("{SMALL}{both}"), &[]).expect("it is a good preset");
+    assert_eq!(scene.booked_for(), ["slip_loss", "friction_loss"]);
     assert!(!ledger(""));
     assert!(!ledger(
         "[[stage]]\nname = \"a\"\nuntil = \"kinetic < 1\"\n"

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use super::output::{complain, print};
 use crate::engine::contact::laws::LAWS;
 use crate::language::COMMANDS;
-use crate::measure::columns::{assembly, listing, nearest};
+use crate::measure::columns::{MARKS, assembly, listing, nearest};
 use crate::scene::catalogue::{self, PRESETS};
 use crate::scene::{About, reference_text};
 use crate::session::figure::per_cent;
@@ -83,13 +83,17 @@ pub(super) fn columns() -> u8 {
         .chain(of_regions)
         .map(|(prefix, card)| {
             let name = format!("{prefix}{}", card.name);
-            [name, format!("[{}]", card.unit), card.summary.to_owned()]
+            let unit = format!("[{}]", card.unit);
+            [name, unit, format!("{:1} {}", card.marks(), card.summary)]
         })
         .collect();
     let width = |k: usize| rows.iter().map(|row| row[k].len()).max().unwrap_or(0);
     let (names, units) = (width(0), width(1));
     for [name, unit, summary] in &rows {
         let _ = writeln!(text, "{name:names$}  {unit:units$}  {summary}");
+    }
+    for mark in MARKS {
+        let _ = writeln!(text, "{mark}");
     }
     text.push_str("particle:I-J:x and so on are means over the particles I to J\n");
     print(&text)

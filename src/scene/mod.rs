@@ -64,7 +64,7 @@ pub use study::{Question, Reference, Study, Sweep, elements};
 
 use crate::engine::restart::Brought;
 use crate::engine::setup::Setup;
-use crate::language::{Definitions, Observable};
+use crate::language::{Definitions, Expression, Observable, Quantity};
 use crate::measure::region::Region;
 use draft::Draft;
 use problem::Report;
@@ -287,28 +287,13 @@ impl Scene {
 
     fn finished(name: &str, text: String, overrides: &[String], draft: Draft<'_>) -> Self {
         let stages: Vec<Stage> = draft.stages.into_iter().map(|(stage, _)| stage).collect();
-        let conditions = stages.iter().filter_map(|stage| stage.until.as_ref());
-        let read = conditions
-            .flat_map(crate::language::Expression::columns)
-            .chain(
-                draft
-                    .expects
-                    .iter()
-                    .flat_map(|expect| expect.what.columns()),
-            );
-        let shown = &draft.history.columns;
-        let ledger = shown.iter().any(Observable::needs_ledger)
-            || read.into_iter().any(|column| column.card().ledger);
-        Self {
+        let mut scene = Self {
             name: name.to_owned(),
             origin: Origin::Text,
             text,
             overrides: overrides.to_vec(),
             about: draft.about,
-            setup: Setup {
-                ledger,
-                ..draft.setup
-            },
+            setup: draft.setup,
             check_every: draft.check_every,
             generated: draft.generated,
             regions: draft.regions,
@@ -323,7 +308,28 @@ impl Scene {
             own_seed: draft.own_seed,
             start: draft.start,
             sample: None,
+        };
+        scene.setup.ledger = !scene.booked_for().is_empty();
+        scene
+    }
+
+    /// Columns that energies are booked for in every cycle: of the history, or read by conditions or
+    /// expectations.
+    pub fn booked_for(&self) -> Vec<String> {
+        let shown = self.history.columns.iter();
+        let shown = shown.filter(|column| column.needs_ledger());
+        let conditions = self.stages.iter().filter_map(|stage| stage.until.as_ref());
+        let expected = self.expects.iter().map(|expect| &expect.what);
+        let read = (conditions.flat_map(Expression::columns))
+            .chain(expected.flat_map(Quantity::columns))
+            .filter(|column| column.card().ledger);
+        let mut names: Vec<String> = shown.map(Observable::name).collect();
+        for column in read.map(|column| column.name()) {
+            if !names.contains(&column) {
+                names.push(column);
+            }
         }
+        names
     }
 
     /// Names of the regions, in order.

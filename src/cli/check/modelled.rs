@@ -68,6 +68,9 @@ pub(super) fn describe(report: &mut Report, scene: &Scene, world: &World) {
         no.join(", ")
     };
     report.line("not modelled", left_out);
+    if plan.ledger {
+        report.line("energies", booked_for(&scene.booked_for()));
+    }
     if let Some(boundary) = world.boundary() {
         report.line("boundary", boundary_itself(world, boundary));
     }
@@ -77,6 +80,16 @@ pub(super) fn describe(report: &mut Report, scene: &Scene, world: &World) {
         (!changing.is_empty()).then(|| format!("{}: {}", stage.name, changing.join(", ")))
     });
     report.lines("later", &changes.collect::<Vec<String>>());
+}
+
+/// Why energies are booked.
+fn booked_for(columns: &[String]) -> String {
+    let why = if columns.is_empty() {
+        "as they were where it starts from".to_owned()
+    } else {
+        format!("for {}", columns.join(", "))
+    };
+    format!("booked in every cycle {why}: cycles take two to three times as long")
 }
 
 fn changes_model(command: &Command) -> bool {

@@ -14,7 +14,7 @@ use super::columns::MOST;
 use super::geometry::{Geometry, lane_of};
 use super::law::{Law, React};
 use super::memory::Memory;
-use super::numbers::{Column, Reading, Writing};
+use super::numbers::{Column, Numbers, Reading, Writing, Written};
 use super::parts::Held;
 use super::pass::View;
 use super::quantities::{Reaction, Touch};
@@ -38,7 +38,8 @@ pub(super) struct Kernel<'a, L: Law> {
     pub(super) plain: bool,
     pub(super) memory: [Column; MOST],
     pub(super) whole: *mut <L::Memo as Memory>::Whole,
-    pub(super) book: *mut Book,
+    /// Columns of bookings, if they are kept.
+    pub(super) book: *const Column,
     pub(super) slots: *mut Slot,
     /// How each contact stands, as a byte.
     pub(super) status: *mut u8,
@@ -255,7 +256,7 @@ impl<L: Law> Kernel<'_, L> {
         unsafe {
             let stood = self.stood(k, V::COUNT);
             if stood == 0 && !V::any(seen.touching) {
-                return self.rest::<BOOK>(k, V::COUNT);
+                return self.rest::<V, BOOK>(k);
             }
             let laws = Reading::at(self.laws[0].as_ptr(), k);
             self.react::<V, R, BOOK>(k, laws, seen, stood);
@@ -274,7 +275,7 @@ impl<L: Law> Kernel<'_, L> {
         unsafe {
             let stood = self.stood(k, 1);
             if stood == 0 && !touching {
-                return self.rest::<BOOK>(k, 1);
+                return self.rest::<f64, BOOK>(k);
             }
             let e = wall.e;
             let mut v = [row.v[0] - wall.v[0], row.v[1] - wall.v[1]];
@@ -326,20 +327,10 @@ impl<L: Law> Kernel<'_, L> {
             let whole = self.whole.wrapping_add(k);
             let mut memory = L::Memo::lanes::<V>(&mut Reading::at(columns, k), whole);
             let bits = V::bits(touching);
-            if BOOK || size_of::<<L::Memo as Memory>::Whole>() > 0 {
-                for lane in 0..V::COUNT {
-                    if bits >> lane & 1 != 0 {
-                        continue;
-                    }
-                    if stood.to_le_bytes()[lane] == 0 {
-                        self.rest::<BOOK>(k + lane, 1);
-                    } else {
-                        self.part::<BOOK>(
-                            k + lane,
-                            parameters.further(lane),
-                            &lane_of(&touch, lane),
-                        );
-                    }
+            let parting = touched(stood) & !bits;
+            if (BOOK || size_of::<<L::Memo as Memory>::Whole>() > 0) && parting != 0 {
+                for lane in (0..V::COUNT).filter(|lane| parting >> lane & 1 == 1) {
+                    self.part::<BOOK>(k + lane, parameters.further(lane), &lane_of(&touch, lane));
                 }
             }
             let r = law.react(&touch, &mut memory);
@@ -356,31 +347,24 @@ impl<L: Law> Kernel<'_, L> {
             let bytes = SPREAD[bits as usize & 255] + SPREAD[sliding as usize & 255];
             self.stand(k, V::COUNT, bytes);
             if BOOK {
-                self.book(k, &r, &touch);
+                self.book(k, &r, &touch, parting);
             }
         }
     }
 
     #[inline(always)]
-    unsafe fn book<V: Lanes>(&self, k: usize, r: &Reaction<V>, touch: &Touch<V>) {
-        let dt = touch.dt;
-        // Not by `map`: what is not inlined has not the instructions.
-        let (gross, slip) = (r.loss[0].numbers(), r.loss[1].numbers());
-        let (spring, drag) = (r.damping[0].numbers(), r.damping[1].numbers());
-        let along = (touch.approach * dt).numbers();
-        let across = (touch.slide * dt).numbers();
-        let excess = r.excess.numbers();
-        let (touching, sliding) = (V::bits(touch.touching), V::bits(r.sliding));
-        for lane in (0..V::COUNT).filter(|lane| touching >> lane & 1 == 1) {
-            let step = Step {
-                way: [along[lane], across[lane]],
-                sliding: sliding >> lane & 1 == 1,
-            };
-            // SAFETY: the caller's: bookings of a block of contacts.
-            let book = unsafe { &mut *self.book.add(k + lane) };
-            let loss = [gross[lane], slip[lane]];
-            book.book(loss, [spring[lane], drag[lane]], excess[lane], &step);
-        }
+    unsafe fn book<V: Lanes>(&self, k: usize, r: &Reaction<V>, touch: &Touch<V>, parting: u32) {
+        let step = Step {
+            way: [touch.approach * touch.dt, touch.slide * touch.dt],
+            sliding: r.sliding,
+        };
+        // SAFETY: the caller's: bookings of a block of contacts.
+        let (mut from, mut to) = unsafe { (Reading::at(self.book, k), Writing::at(self.book, k)) };
+        let was = Book::<V>::take(&mut from);
+        let now = was.after(r.loss, r.damping, r.excess, &step);
+        // What parting cost was booked before; those who were apart already cost nothing.
+        let book = now.or(touch.touching, was);
+        book.give(touch.touching | V::mask(parting), &mut to);
     }
 
     /// Out of touch, and in touch at the last boundary.
@@ -398,13 +382,15 @@ impl<L: Law> Kernel<'_, L> {
                     way: [touch.approach * touch.dt, touch.slide * touch.dt],
                     sliding: false,
                 };
-                let book = &mut *self.book.add(k);
-                book.book(loss, [0.0; 2], 0.0, &step);
-                *book = Book {
-                    friction_loss: book.friction_loss,
-                    damping_loss: book.damping_loss,
+                let mut from = Reading::at(self.book, k);
+                let was = <Book as Numbers<f64>>::take(&mut from);
+                let last = was.after(loss, [0.0; 2], 0.0, &step);
+                let book = Book {
+                    friction_loss: last.friction_loss,
+                    damping_loss: last.damping_loss,
                     ..Book::default()
                 };
+                Written::<f64>::give(book, true, &mut Writing::at(self.book, k));
             }
             L::Memo::default().give(&mut Writing::at(columns, k), whole);
         }
@@ -412,12 +398,21 @@ impl<L: Law> Kernel<'_, L> {
 
     /// Still out of touch: only last step's bookings have to go.
     #[inline(always)]
-    unsafe fn rest<const BOOK: bool>(&self, k: usize, count: usize) {
+    unsafe fn rest<V: Lanes, const BOOK: bool>(&self, k: usize) {
         if BOOK {
-            for lane in 0..count {
-                // SAFETY: the caller's: bookings of a block of contacts.
-                unsafe { *self.book.add(k + lane) = Book::default() };
+            // SAFETY: the caller's: bookings of a block of contacts.
+            let mut to = unsafe { Writing::at(self.book, k) };
+            for _ in 0..Book::COLUMNS {
+                to.column(V::all(0.0));
             }
         }
     }
+}
+
+/// Of eight contacts, those whose byte says that they touched.
+#[inline(always)]
+fn touched(stood: u64) -> u32 {
+    let ones = 0x0101_0101_0101_0101;
+    let either = (stood | stood >> 1) & ones;
+    (either.wrapping_mul(0x0102_0408_1020_4080) >> 56) as u32
 }

@@ -60,6 +60,11 @@ impl<M: Memory> Memories<M> {
         (columns, self.whole.as_mut_ptr())
     }
 
+    /// A column of numbers.
+    pub(super) fn column(&self, column: usize) -> &[f64] {
+        &self.columns[column]
+    }
+
     /// The memory of a contact.
     pub(super) fn get(&self, k: usize) -> M {
         let whole = &self.whole[k];

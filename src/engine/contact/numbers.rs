@@ -159,6 +159,26 @@ impl<V: Lanes> Written<V> for [V; 2] {
     }
 }
 
+impl<V: Lanes> Numbers<V> for [V; 3] {
+    const COUNT: usize = 3;
+
+    #[inline(always)]
+    fn take(from: &mut Reading) -> Self {
+        let first = from.column();
+        let second = from.column();
+        [first, second, from.column()]
+    }
+}
+
+impl<V: Lanes> Written<V> for [V; 3] {
+    #[inline(always)]
+    fn give(self, mask: V::Mask, to: &mut Writing) {
+        self[0].give(mask, to);
+        self[1].give(mask, to);
+        self[2].give(mask, to);
+    }
+}
+
 impl<V: Lanes> Numbers<V> for () {
     const COUNT: usize = 0;
 

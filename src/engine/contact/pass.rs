@@ -11,6 +11,7 @@ use std::any::Any;
 use std::ops::Range;
 
 pub use super::book::Book;
+use super::book::LOSSES;
 use super::columns::{MOST, Parameters};
 use super::inner::Inner;
 use super::kernel::Kernel;
@@ -22,7 +23,6 @@ use super::quantities::{BasisOwned, Stiffness};
 use super::traction::Traction;
 use crate::engine::boundary::Tensor;
 use crate::engine::lanes::Isa;
-use crate::engine::neighbours::carry::carry;
 use crate::engine::neighbours::{Slot, Status};
 use crate::engine::particles::{Row, are_far};
 use crate::engine::shares;
@@ -102,6 +102,9 @@ pub trait ContactPass: Send + Sync {
     fn inner(&self, k: usize, overlap: f64) -> Vec<Inner>;
     /// For [`ContactPass::take_over`].
     fn as_any(&self) -> &dyn Any;
+    /// What each contact lost in the last step by sliding, rolling included, by slip within, and in
+    /// dashpots [J]; nothing when no bookings are kept.
+    fn losses(&self) -> [&[f64]; 3];
     /// Bookings of a contact; zero when none are kept.
     fn book(&self, k: usize) -> Book;
     /// Counts sliding ways from zero again.
@@ -121,7 +124,7 @@ pub struct Pass<L: Law, const BOOK: bool> {
     /// Parameters of pairs, and of contacts with walls.
     laws: [Parameters<L>; 2],
     memory: Memories<L::Memo>,
-    book: Vec<Book>,
+    book: Memories<Book>,
     tables: Tables,
 }
 
@@ -154,7 +157,7 @@ impl<L: Law, const BOOK: bool> Pass<L, BOOK> {
         Self {
             laws: [Parameters::new(), Parameters::new()],
             memory: Memories::default(),
-            book: Vec::new(),
+            book: Memories::default(),
             tables: Tables::NONE,
         }
     }
@@ -196,13 +199,20 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
         let isa = view.isa;
         let parts = threads.parts(total);
         let (memory, whole) = self.memory.columns();
+        let books;
+        let book = if BOOK {
+            books = self.book.columns().0;
+            books.as_ptr()
+        } else {
+            std::ptr::null()
+        };
         let kernel = Kernel::<L> {
             view,
             laws: &self.tables.laws,
             plain: self.tables.plain,
             memory,
             whole,
-            book: self.book.as_mut_ptr(),
+            book,
             slots: slots.as_mut_ptr(),
             status: status.as_mut_ptr().cast(),
             ask: are_far(view.rows.len()),
@@ -252,7 +262,7 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
         of_walls.follow(&old[pairs..], shift, room, |w| prepare(pairs + w));
         self.memory.follow(old, room);
         if BOOK {
-            carry(&mut self.book, old, 0, room, |_| Book::default());
+            self.book.follow(old, room);
         }
         self.tables = Tables {
             laws: [self.laws[0].columns(), self.laws[1].columns()],
@@ -266,7 +276,8 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
         self.memory.set(to, memory);
         self.memory.set(from, L::Memo::default());
         if BOOK {
-            self.book[to] = std::mem::take(&mut self.book[from]);
+            self.book.set(to, self.book.get(from));
+            self.book.set(from, Book::default());
         }
     }
 
@@ -312,7 +323,7 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
             };
             self.memory.set(k, memory);
             if BOOK {
-                self.book[k] = before.book(k);
+                self.book.set(k, before.book(k));
             }
         }
     }
@@ -329,18 +340,28 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
         self
     }
 
+    fn losses(&self) -> [&[f64]; 3] {
+        LOSSES.map(|column| self.book.column(column))
+    }
+
     fn book(&self, k: usize) -> Book {
-        self.book.get(k).copied().unwrap_or_default()
+        if BOOK {
+            self.book.get(k)
+        } else {
+            Book::default()
+        }
     }
 
     fn forget_slid(&mut self) {
-        for book in &mut self.book {
-            book.slid = 0.0;
+        for k in 0..self.book.len() {
+            let slid = 0.0;
+            let book = self.book.get(k);
+            self.book.set(k, Book { slid, ..book });
         }
     }
 
     fn bytes(&self) -> [usize; 3] {
-        let book = if BOOK { size_of::<Book>() } else { 0 };
+        let book = if BOOK { Memories::<Book>::bytes() } else { 0 };
         [self.laws[0].bytes(), Memories::<L::Memo>::bytes(), book]
     }
 
@@ -350,11 +371,8 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
 
     fn save(&self, contacts: Range<usize>, mut buffer: Vec<u8>) -> postcard::Result<Vec<u8>> {
         buffer.clear();
-        let book = if BOOK {
-            &self.book[contacts.clone()]
-        } else {
-            &[]
-        };
+        let booked = if BOOK { contacts.clone() } else { 0..0 };
+        let book = self.book.part(booked);
         postcard::to_extend(&(self.memory.part(contacts), book), buffer)
     }
 
@@ -370,7 +388,9 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
             self.memory.set(k, memory);
         }
         if BOOK {
-            self.book[contacts].copy_from_slice(&book);
+            for (k, book) in contacts.zip(book) {
+                self.book.set(k, book);
+            }
         }
         true
     }

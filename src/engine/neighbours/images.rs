@@ -34,6 +34,11 @@ impl Images {
         })
     }
 
+    /// Pairs that reach over an edge, ascending, and the image of each.
+    pub(in crate::engine) fn beyond(&self) -> impl Iterator<Item = (usize, Image)> + '_ {
+        self.0.iter().map(|&(k, image)| (k as usize, image))
+    }
+
     /// Of the pairs that are kept, numbered anew.
     pub(super) fn chosen(&self, keep: &[bool]) -> Self {
         let mut chosen = Self::default();

@@ -31,6 +31,23 @@ pub struct Card {
     pub usual: bool,
 }
 
+impl Card {
+    /// Marks in lists, explained by [`MARKS`].
+    pub fn marks(&self) -> &'static str {
+        match (self.usual, self.ledger) {
+            (true, _) => "*",
+            (false, true) => "+",
+            (false, false) => "",
+        }
+    }
+}
+
+/// What the marks of columns mean.
+pub const MARKS: [&str; 2] = [
+    "* recorded where a preset names no columns",
+    "+ energies are booked in every cycle for it, which makes cycles two to three times as long",
+];
+
 /// A column's row in the list of its family: its card, and how its value is read.
 #[derive(Debug)]
 pub struct Row<R: 'static> {

@@ -1,4 +1,5 @@
-//! Where the energy is and where it went.
+//! Where the energy is and where it went. What needs energies booked in every cycle is recorded only where
+//! it is named.
 
 use super::card::Row;
 use super::read::{Read, world};
@@ -17,7 +18,7 @@ const fn booked(
     summary: &'static str,
     read: fn(&Sample<'_>) -> f64,
 ) -> Row<Read> {
-    stored(name, summary, read).booked()
+    world(name, "J", summary, read).booked()
 }
 
 pub(super) const ROWS: &[Row<Read>] = &[
@@ -71,6 +72,5 @@ pub(super) const ROWS: &[Row<Read>] = &[
         "what the ledger fails to close by, relative",
         |s| s.bookings().energy_error,
     )
-    .booked()
-    .usual(),
+    .booked(),
 ];

@@ -27,7 +27,7 @@ mod strain;
 mod stress;
 mod wall;
 
-pub use card::{Card, Kind, Row};
+pub use card::{Card, Kind, MARKS, Row};
 pub use column::{Column, Partner};
 pub use contact::{CONTACT, ReadContact};
 pub use material::{MATERIAL, ReadMaterial};
