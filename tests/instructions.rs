@@ -7,7 +7,7 @@ use ballast::engine::World;
 use ballast::engine::contact::laws::LAWS;
 use ballast::engine::lanes::Isa;
 use ballast::engine::setup::{
-    Body, Damping, Dashpot, Material, NormalForm, Setup, TimeStepChoice, Unloading,
+    Body, BoundarySetup, Damping, Dashpot, Material, NormalForm, Setup, TimeStepChoice, Unloading,
 };
 use common::*;
 
@@ -207,6 +207,32 @@ fn neither_does_what_motion_leaves_out() {
     }
     // Each of them matters.
     assert!(ends[1..].iter().all(|other| *other != ends[0]));
+}
+
+/// Many threads in a cell: those who move particles write the rows of the images that others read.
+#[test]
+fn neither_do_many_threads_in_a_cell() {
+    // 1176 particles: eight shares of 147.
+    let rows = 48;
+    let edges = [[2.0 * rows as f64, 0.0], [0.0, 1.74 * rows as f64]];
+    let corner = [-1.0, 0.0];
+    let mut setup = clump(rows);
+    setup.boundary = Some(BoundarySetup::Cell { corner, edges });
+    setup.ledger = true;
+    let end = |setup: &Setup, isa, threads| {
+        let mut world = World::build(setup.clone(), threads).expect("the scene builds");
+        world.use_instructions(isa);
+        assert!(world.set_strain_rate([[-0.02, 0.01], [0.0, 0.02]], 0));
+        run(&mut world, 600);
+        (world.state_hash(), format!("{:?}", world.bookings()))
+    };
+    let one = end(&setup, Isa::Baseline, 1);
+    for threads in [2, 5, 8] {
+        assert_eq!(end(&setup, Isa::widest(), threads), one, "{threads}");
+    }
+    // It is a cell: without one it goes elsewhere.
+    setup.boundary = Some(BoundarySetup::Walls { centre: [0.0; 2] });
+    assert_ne!(end(&setup, Isa::widest(), 1), one);
 }
 
 /// Contacts that have much in common are read in another way than others; what changes that in the

@@ -5,6 +5,7 @@ use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant, SystemTime};
 
+use super::heeding::heeding_signals;
 use super::{assert_same, bytes, names, run, said, scenes, text};
 
 /// Longest wait for anything. It only ends a test that hangs: the machine may be very busy.
@@ -12,7 +13,7 @@ const PATIENCE: Duration = Duration::from_secs(300);
 
 /// Starts `ballast run` in the background.
 fn start(folder: &Path, words: &[&str]) -> Child {
-    Command::new(env!("CARGO_BIN_EXE_ballast"))
+    heeding_signals()
         .arg("run")
         .args(scenes::LONG.split_whitespace())
         .args(words)

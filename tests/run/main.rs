@@ -5,6 +5,8 @@ mod definitions;
 mod dumps;
 mod ensemble;
 mod failure;
+#[path = "../program/heeding.rs"]
+mod heeding;
 mod interruption;
 mod overrides;
 #[path = "../program/mod.rs"]

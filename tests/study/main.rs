@@ -3,6 +3,8 @@
 
 mod closed_forms;
 mod files;
+#[path = "../program/heeding.rs"]
+mod heeding;
 mod limits;
 #[path = "../program/mod.rs"]
 mod program;

@@ -6,6 +6,7 @@ use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 use super::Bounce;
+use super::heeding::heeding_signals;
 use super::program::{ballast, said};
 
 fn names(folder: &Path) -> Vec<String> {
@@ -213,7 +214,7 @@ fn an_interrupted_study_keeps_what_it_has() {
     let folder = tempfile::tempdir().expect("a folder");
     // The coarse variants take milliseconds, the finest an hour; the reference comes first.
     let line = "square-lattice --frac 0.00001,0.1,0.2 --reference 0.2 --for kinetic";
-    let child = Command::new(env!("CARGO_BIN_EXE_ballast"))
+    let child = heeding_signals()
         .args(words(line))
         .current_dir(folder.path())
         .stdin(Stdio::null())

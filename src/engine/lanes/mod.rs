@@ -25,7 +25,7 @@ pub use avx2::Four;
 pub use avx512::Eight;
 pub use cube_root::cube_root;
 pub use isa::Isa;
-pub use quad::{Plain, Quad};
+pub use quad::{Quad, Scalars};
 
 use super::particles::Row;
 

@@ -37,7 +37,7 @@ pub trait Quad: Lanes {
 
 /// Four lanes without instructions of their own.
 #[derive(Clone, Copy)]
-pub struct Plain([f64; 4]);
+pub struct Scalars([f64; 4]);
 
 /// Yes or no of four.
 #[derive(Clone, Copy)]
@@ -45,7 +45,7 @@ pub struct PlainMask([bool; 4]);
 
 macro_rules! by_lane {
     ($($operator:ident $method:ident),*) => {$(
-        impl $operator for Plain {
+        impl $operator for Scalars {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
@@ -62,7 +62,7 @@ macro_rules! by_lane {
 }
 by_lane!(Add add, Sub sub, Mul mul, Div div);
 
-impl Neg for Plain {
+impl Neg for Scalars {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -94,7 +94,7 @@ impl std::ops::Not for PlainMask {
     }
 }
 
-impl Lanes for Plain {
+impl Lanes for Scalars {
     const COUNT: usize = 4;
     type Mask = PlainMask;
 
@@ -201,7 +201,7 @@ impl Lanes for Plain {
     }
 }
 
-impl Quad for Plain {
+impl Quad for Scalars {
     #[inline(always)]
     fn transposed(rows: [Self; 4]) -> [Self; 4] {
         std::array::from_fn(|k| Self(rows.map(|row| row.0[k])))

@@ -12,7 +12,7 @@ use super::gather::{Gather, Total};
 use super::{Inputs, Stretch, Sums, Watch};
 #[cfg(target_arch = "x86_64")]
 use crate::engine::lanes::Four;
-use crate::engine::lanes::{Isa, Plain, Quad};
+use crate::engine::lanes::{Isa, Quad, Scalars};
 use crate::engine::particles::{Row, Sum};
 
 /// Sums the contact forces (unless that was done) and moves every particle of a stretch.
@@ -61,7 +61,7 @@ fn chosen<D: Drag, const SUM: u8, const MOVE: bool, const MORE: bool>(
         // SAFETY: the processor has it.
         return unsafe { with_four::<D, SUM, MOVE, MORE>(inputs, drag, stretch) };
     }
-    run::<Plain, D, SUM, MOVE, MORE>(inputs, drag, stretch)
+    run::<Scalars, D, SUM, MOVE, MORE>(inputs, drag, stretch)
 }
 
 #[cfg(target_arch = "x86_64")]

@@ -7,7 +7,7 @@
 use proptest::prelude::*;
 
 use super::{Diagram, Partial, PartialLanes};
-use crate::engine::lanes::{Lanes, Plain};
+use crate::engine::lanes::{Lanes, Scalars};
 
 const OVERLAP: f64 = 2e-5;
 
@@ -77,6 +77,6 @@ proptest! {
     #[test]
     fn lanes_do_what_contacts_do_alone(walks in prop::array::uniform4(walk())) {
         together::<f64>(&walks);
-        together::<Plain>(&walks);
+        together::<Scalars>(&walks);
     }
 }

@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 
 use super::{Branch, ReversalLanes, Reversals, TwoReversals, held};
-use crate::engine::lanes::{Lanes, Plain};
+use crate::engine::lanes::{Lanes, Scalars};
 
 const OVERLAP: f64 = 2e-5;
 
@@ -108,7 +108,7 @@ fn lanes_do_what_contacts_do_alone() {
     runner
         .run(&prop::array::uniform4(walk()), |walks| {
             let seen = together::<f64>(&walks);
-            prop_assert_eq!(seen, together::<Plain>(&walks));
+            prop_assert_eq!(seen, together::<Scalars>(&walks));
             let before = total.get();
             total.set(std::array::from_fn(|k| before[k] + seen[k]));
             Ok(())
