@@ -8,6 +8,7 @@ use std::path::Path;
 use ballast::engine::contact::laws::LAWS;
 use ballast::language::COMMANDS;
 use ballast::measure::columns::listing;
+use ballast::scene::Scene;
 use ballast::scene::catalogue::PRESETS;
 use program::{ballast, said};
 
@@ -198,6 +199,9 @@ fn check_tells_what_a_user_wants_to_know() {
                 .count();
             assert_eq!(lines, 1, "{}: {label} in\n{report}", preset.name);
         }
+        let scene = Scene::load(preset.name, &[]).expect("it is embedded");
+        let why = report.lines().any(|line| line.starts_with("energies:"));
+        assert_eq!(!scene.booked_for().is_empty(), why, "{report}");
         assert!(!report.contains("the run fails"), "{report}");
         assert!(!report.contains("expect instability"), "{report}");
     }

@@ -167,6 +167,11 @@ fn energies_are_booked_only_if_something_reads_them() {
                 [history]\ncolumns = [\"contacts\", \"slip_loss\"]\n";
     let scene = Scene::parse("small", &format!("{SMALL}{both}"), &[]).expect("it is a good preset");
     assert_eq!(scene.booked_for(), ["slip_loss", "friction_loss"]);
+    // What commands of stages wait for counts, too.
+    let typed = "[[stage]]\nname = \"a\"\ndo = [\"solve until damping_loss > 1 max 10\"]\n";
+    let scene = Scene::parse("small", &format!("{SMALL}{typed}"), &[]).expect("a good preset");
+    assert_eq!(scene.booked_for(), ["damping_loss"]);
+    assert!(scene.setup.ledger);
     assert!(!ledger(""));
     assert!(!ledger(
         "[[stage]]\nname = \"a\"\nuntil = \"kinetic < 1\"\n"

@@ -102,7 +102,7 @@ impl Plan {
     /// A loop in which dashpots, if only of no strength, are always part.
     pub(super) fn heavy<N: Normal, T: Tangential, D: Viscosity>(&self) -> Box<dyn ContactPass> {
         if self.rolling {
-            Box::new(Pass::<Contact<N, T, RollingSpring, D>, true>::new())
+            self.with_ledger::<Contact<N, T, RollingSpring, D>>()
         } else {
             self.with_ledger::<Contact<N, T, Unresisted, D>>()
         }

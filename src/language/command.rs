@@ -1,5 +1,6 @@
 //! A command as data, and its canonical line.
 
+use super::Expression;
 use super::definition::Definitions;
 use super::list::{COMMANDS, Card};
 use super::mistake::Mistake;
@@ -123,6 +124,17 @@ impl Command {
         let command = (card.parse)(&mut words)?;
         words.end()?;
         Ok(command)
+    }
+
+    /// The condition it runs until.
+    pub fn awaits(&self) -> Option<&Expression> {
+        match self {
+            Self::Solve(Solve {
+                goal: Some(Goal::Until(condition)),
+                ..
+            }) => Some(condition),
+            _ => None,
+        }
     }
 
     /// The row of the list it belongs to.

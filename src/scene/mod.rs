@@ -64,7 +64,7 @@ pub use study::{Question, Reference, Study, Sweep, elements};
 
 use crate::engine::restart::Brought;
 use crate::engine::setup::Setup;
-use crate::language::{Definitions, Expression, Observable, Quantity};
+use crate::language::{Command, Definitions, Expression, Quantity};
 use crate::measure::region::Region;
 use draft::Draft;
 use problem::Report;
@@ -313,22 +313,27 @@ impl Scene {
         scene
     }
 
-    /// Columns that energies are booked for in every cycle: of the history, or read by conditions or
-    /// expectations.
+    /// Columns that energies are booked for in every cycle: those that are recorded, or that conditions and
+    /// expectations read.
     pub fn booked_for(&self) -> Vec<String> {
-        let shown = self.history.columns.iter();
-        let shown = shown.filter(|column| column.needs_ledger());
-        let conditions = self.stages.iter().filter_map(|stage| stage.until.as_ref());
-        let expected = self.expects.iter().map(|expect| &expect.what);
-        let read = (conditions.flat_map(Expression::columns))
-            .chain(expected.flat_map(Quantity::columns))
-            .filter(|column| column.card().ledger);
-        let mut names: Vec<String> = shown.map(Observable::name).collect();
-        for column in read.map(|column| column.name()) {
-            if !names.contains(&column) {
-                names.push(column);
+        let mut names = Vec::new();
+        let mut add = |name: String| {
+            if !names.contains(&name) {
+                names.push(name);
             }
-        }
+        };
+        let shown = self.history.columns.iter();
+        shown
+            .filter(|column| column.needs_ledger())
+            .for_each(|column| add(column.name()));
+        let commands = self.stages.iter().flat_map(|stage| &stage.commands);
+        let until = self.stages.iter().filter_map(|stage| stage.until.as_ref());
+        let conditions = until.chain(commands.filter_map(Command::awaits));
+        let expected = self.expects.iter().map(|expect| &expect.what);
+        (conditions.flat_map(Expression::columns))
+            .chain(expected.flat_map(Quantity::columns))
+            .filter(|column| column.card().ledger)
+            .for_each(|column| add(column.name()));
         names
     }
 

@@ -3,7 +3,7 @@
 use super::course::Errand;
 use super::{Refusal, Session, generate, print};
 use crate::language::command::{Export, Goal, HistoryChange, Printout};
-use crate::language::{COMMANDS, Command, Known};
+use crate::language::{COMMANDS, Command, Expression, Known};
 use crate::measure::reference::Reference;
 use crate::record::journal::EventKind;
 
@@ -118,10 +118,28 @@ impl Session {
         }
     }
 
+    /// Whether energies are booked, which a column needs.
+    fn check_booked(&self, column: &str) -> Result<(), Refusal> {
+        if self.world.ledger().is_some() {
+            return Ok(());
+        }
+        Err(Refusal::new(
+            format!("{column} needs energies booked from the start"),
+            "name it in [history] columns of the preset",
+        ))
+    }
+
     fn carry_out(&mut self, command: &Command, by: By) -> Result<Reply, Refusal> {
         match command {
             Command::Cycle(n) | Command::Step(n) => Ok(self.run_to(Some(*n), None, by)),
             Command::Solve(solve) => {
+                let columns = command
+                    .awaits()
+                    .map(Expression::columns)
+                    .unwrap_or_default();
+                if let Some(column) = columns.iter().find(|column| column.card().ledger) {
+                    self.check_booked(&column.name())?;
+                }
                 let condition = match &solve.goal {
                     Some(Goal::Until(condition)) => condition.to_string(),
                     Some(Goal::Ratio(ratio)) => format!("unbalanced <= {ratio:?}"),
@@ -238,12 +256,8 @@ impl Session {
                         "name them in [history] columns, or export another file at the end",
                     ));
                 }
-                let booked = self.world.ledger().is_some();
-                if let Some(column) = columns.iter().find(|c| c.needs_ledger() && !booked) {
-                    return Err(Refusal::new(
-                        format!("{} needs energies booked from the start", column.name()),
-                        "name it in [history] columns of the preset",
-                    ));
+                if let Some(column) = columns.iter().find(|column| column.needs_ledger()) {
+                    self.check_booked(&column.name())?;
                 }
                 self.recording.show(columns);
             }

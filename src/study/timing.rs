@@ -11,8 +11,6 @@ use super::trace::options;
 use super::variant::Variant;
 use super::watch::{BATCH, Teller};
 use crate::language::Command;
-use crate::language::Expression;
-use crate::language::command::{Goal, Solve};
 use crate::scene::Scene;
 use crate::session::{Budget, Progress, RunError, Session};
 
@@ -146,24 +144,11 @@ fn bare(scene: &Scene) -> Scene {
     scene.dump = None;
     scene.history.columns.clear();
     scene.history.every = NEVER;
-    let books = |condition: &Expression| {
-        let mut columns = condition.columns().into_iter();
-        columns.any(|column| column.card().ledger)
-    };
-    scene.setup.ledger = scene.stages.iter().any(|stage| {
-        let solved = stage.commands.iter().any(|command| match command {
-            Command::Solve(Solve {
-                goal: Some(Goal::Until(until)),
-                ..
-            }) => books(until),
-            _ => false,
-        });
-        solved || stage.until.as_ref().is_some_and(books)
-    });
     for stage in &mut scene.stages {
         let rows = |command: &Command| matches!(command, Command::History(_) | Command::Print(_));
         stage.commands.retain(|command| !rows(command));
     }
+    scene.setup.ledger = !scene.booked_for().is_empty();
     scene
 }
 

@@ -15,8 +15,9 @@ pub(crate) fn heeding_signals() -> Command {
     let mut trial = heeding();
     let trial = trial.arg("true").stderr(Stdio::null()).status();
     if trial.is_ok_and(|status| status.success()) {
+        // By a shell, as `env` takes a path with an equals sign in it for a variable.
         let mut command = heeding();
-        command.arg(program);
+        command.args(["sh", "-c", "exec \"$0\" \"$@\"", program]);
         command
     } else {
         Command::new(program)

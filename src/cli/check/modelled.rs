@@ -69,7 +69,9 @@ pub(super) fn describe(report: &mut Report, scene: &Scene, world: &World) {
     };
     report.line("not modelled", left_out);
     if plan.ledger {
-        report.line("energies", booked_for(&scene.booked_for()));
+        let columns = scene.booked_for().join(", ");
+        let text = format!("booked for {columns}, which makes cycles two to three times as long");
+        report.line("energies", text);
     }
     if let Some(boundary) = world.boundary() {
         report.line("boundary", boundary_itself(world, boundary));
@@ -80,16 +82,6 @@ pub(super) fn describe(report: &mut Report, scene: &Scene, world: &World) {
         (!changing.is_empty()).then(|| format!("{}: {}", stage.name, changing.join(", ")))
     });
     report.lines("later", &changes.collect::<Vec<String>>());
-}
-
-/// Why energies are booked.
-fn booked_for(columns: &[String]) -> String {
-    let why = if columns.is_empty() {
-        "as they were where it starts from".to_owned()
-    } else {
-        format!("for {}", columns.join(", "))
-    };
-    format!("booked in every cycle {why}: cycles take two to three times as long")
 }
 
 fn changes_model(command: &Command) -> bool {

@@ -84,9 +84,7 @@ impl<V: Lanes> Book<V> {
             slid: V::pick(step.sliding, self.slid + way[1].abs(), self.slid),
         }
     }
-}
 
-impl<V: Lanes> Book<V> {
     /// This where the mask says so, the other elsewhere.
     #[inline(always)]
     pub(super) fn or(self, mask: V::Mask, other: Self) -> Self {

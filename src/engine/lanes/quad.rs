@@ -41,7 +41,7 @@ pub struct Scalars([f64; 4]);
 
 /// Yes or no of four.
 #[derive(Clone, Copy)]
-pub struct PlainMask([bool; 4]);
+pub struct ScalarMask([bool; 4]);
 
 macro_rules! by_lane {
     ($($operator:ident $method:ident),*) => {$(
@@ -70,7 +70,7 @@ impl Neg for Scalars {
     }
 }
 
-impl std::ops::BitAnd for PlainMask {
+impl std::ops::BitAnd for ScalarMask {
     type Output = Self;
     #[inline(always)]
     fn bitand(self, other: Self) -> Self {
@@ -78,7 +78,7 @@ impl std::ops::BitAnd for PlainMask {
     }
 }
 
-impl std::ops::BitOr for PlainMask {
+impl std::ops::BitOr for ScalarMask {
     type Output = Self;
     #[inline(always)]
     fn bitor(self, other: Self) -> Self {
@@ -86,7 +86,7 @@ impl std::ops::BitOr for PlainMask {
     }
 }
 
-impl std::ops::Not for PlainMask {
+impl std::ops::Not for ScalarMask {
     type Output = Self;
     #[inline(always)]
     fn not(self) -> Self {
@@ -96,7 +96,7 @@ impl std::ops::Not for PlainMask {
 
 impl Lanes for Scalars {
     const COUNT: usize = 4;
-    type Mask = PlainMask;
+    type Mask = ScalarMask;
 
     #[inline(always)]
     fn all(x: f64) -> Self {
@@ -131,22 +131,22 @@ impl Lanes for Scalars {
     }
 
     #[inline(always)]
-    fn above(self, other: Self) -> PlainMask {
-        PlainMask(std::array::from_fn(|k| self.0[k] > other.0[k]))
+    fn above(self, other: Self) -> ScalarMask {
+        ScalarMask(std::array::from_fn(|k| self.0[k] > other.0[k]))
     }
 
     #[inline(always)]
-    fn at_least(self, other: Self) -> PlainMask {
-        PlainMask(std::array::from_fn(|k| self.0[k] >= other.0[k]))
+    fn at_least(self, other: Self) -> ScalarMask {
+        ScalarMask(std::array::from_fn(|k| self.0[k] >= other.0[k]))
     }
 
     #[inline(always)]
-    fn equals(self, other: Self) -> PlainMask {
-        PlainMask(std::array::from_fn(|k| self.0[k] == other.0[k]))
+    fn equals(self, other: Self) -> ScalarMask {
+        ScalarMask(std::array::from_fn(|k| self.0[k] == other.0[k]))
     }
 
     #[inline(always)]
-    fn pick(mask: PlainMask, yes: Self, no: Self) -> Self {
+    fn pick(mask: ScalarMask, yes: Self, no: Self) -> Self {
         Self(std::array::from_fn(|k| {
             if mask.0[k] { yes.0[k] } else { no.0[k] }
         }))
@@ -163,13 +163,13 @@ impl Lanes for Scalars {
     }
 
     #[inline(always)]
-    fn bits(mask: PlainMask) -> u32 {
+    fn bits(mask: ScalarMask) -> u32 {
         (0..4).fold(0, |bits, k| bits | u32::from(mask.0[k]) << k)
     }
 
     #[inline(always)]
-    fn mask(bits: u32) -> PlainMask {
-        PlainMask(std::array::from_fn(|k| bits >> k & 1 == 1))
+    fn mask(bits: u32) -> ScalarMask {
+        ScalarMask(std::array::from_fn(|k| bits >> k & 1 == 1))
     }
 
     #[inline(always)]

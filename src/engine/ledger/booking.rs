@@ -104,7 +104,7 @@ impl World {
         let applied = self.particles.applied(p);
         let mut work = 0.0;
         for (k, axis) in axes.iter().enumerate() {
-            if self.particles.fixed[p][k] || axis.gain == 0.0 {
+            if axis.gain == 0.0 {
                 work -= self.half_work(axis.force, axis, side);
             }
             // Against a prescribed velocity too: the holder took it on above.
@@ -144,13 +144,25 @@ impl World {
             return;
         };
         // Of all contacts together by what they sum to on each particle: F·d of a pair is F·x of either body,
-        // as its forces are equal and opposite, but for the way to an image.
+        // as its forces are equal and opposite, but for the way to an image. As seen from one of them, since
+        // their sum vanishes only to rounding and the centre of a flow may be far away.
+        let near = self.particles.row.first().map_or(centre, |row| row.x);
+        let from =
+            |x: [f64; 2], point: [f64; 2]| velocity(&rate, [x[0] - point[0], x[1] - point[1]]);
         let mut power = 0.0;
         let particles = &self.particles;
-        for (p, (row, Sum { f, .. })) in particles.row.iter().zip(&particles.force).enumerate() {
-            let v = velocity(&rate, [0, 1].map(|k| row.x[k] - centre[k]));
-            let body = particles.body.get(p).copied().unwrap_or_default();
-            power -= (f[0] + body[0]) * v[0] + (f[1] + body[1]) * v[1];
+        for (row, Sum { f, .. }) in particles.row.iter().zip(&particles.force) {
+            let v = from(row.x, near);
+            power -= f[0] * v[0] + f[1] * v[1];
+        }
+        for (row, body) in particles.row.iter().zip(&particles.body) {
+            let v = from(row.x, centre);
+            power -= body[0] * v[0] + body[1] * v[1];
+        }
+        // Walls stand outside the flow.
+        let v = from(near, centre);
+        for Slot([f1, f2, ..]) in &self.contacts.slots[self.contacts.pairs.len()..] {
+            power -= f1 * v[0] + f2 * v[1];
         }
         if let Some(cell) = self.cell() {
             for (k, image) in self.contacts.images.beyond() {

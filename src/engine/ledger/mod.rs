@@ -3,8 +3,8 @@
 //! The work of a force at boundary n is `F_n·(dx_{n-½} + dx_{n+½})/2`: half of it is booked when
 //! the step before arrives at n, half when the next departs. Kinetic energy stands at the half
 //! step before n, so in the balance at n the first half of the work of all forces at n is added to
-//! it; then a linear spring closes to rounding. Sums run over particles and walls in their order,
-//! never over the contact list, so they do not depend on TOL or threads.
+//! it; then a linear spring closes to rounding. Sums run over particles, walls and contacts in their
+//! order, and pairs apart add nothing, so they do not depend on TOL or threads.
 
 mod axis;
 mod booking;

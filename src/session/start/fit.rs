@@ -8,16 +8,26 @@ use crate::scene::{Scene, Trouble};
 
 /// Why it cannot.
 pub(super) fn misfit(world: &World, scene: &Scene) -> Option<Trouble> {
-    let ledger = scene.setup.ledger && world.ledger().is_none();
-    let unbooked = "its run booked no energies, and this preset asks for some";
-    let what = change(world, scene).or_else(|| ledger.then(|| unbooked.to_owned()))?;
-    Some(trouble(
-        "keep",
-        format!("the state of the sample cannot go on here: {what}"),
-        "forces and memory of its contacts would mean something else",
-        "write keep = \"particles\": forces then follow anew from the overlaps, and the sample has to \
-         come to rest again",
-    ))
+    if let Some(what) = change(world, scene) {
+        return Some(trouble(
+            "keep",
+            format!("the state of the sample cannot go on here: {what}"),
+            "forces and memory of its contacts would mean something else",
+            "write keep = \"particles\": forces then follow anew from the overlaps, and the sample has to \
+             come to rest again",
+        ));
+    }
+    let unbooked = scene.setup.ledger && world.ledger().is_none();
+    unbooked.then(|| {
+        let columns = scene.booked_for().join(", ");
+        trouble(
+            "keep",
+            format!("the run of the sample booked no energies, and this preset asks for {columns}"),
+            "the bookings of its contacts would be missing",
+            "name one of them in [history] columns of the run that makes the sample, or write keep = \
+             \"particles\"",
+        )
+    })
 }
 
 /// The first difference between a world and a scene that gives the same overlaps other forces.

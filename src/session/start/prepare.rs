@@ -49,8 +49,8 @@ pub fn preparation(scene: &Scene) -> Result<Option<Scene>, RunError> {
         );
         return Err(scene.refused(&trouble).into());
     }
-    // Going on needs what was booked so far; it changes no bit.
-    run.setup.ledger |= start.keep == Keep::All;
+    // Going on with bookings needs those so far; it changes no bit.
+    run.setup.ledger |= start.keep == Keep::All && scene.setup.ledger;
     Ok(Some(run))
 }
 

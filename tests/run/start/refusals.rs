@@ -79,6 +79,34 @@ fn what_does_not_go_together_is_told_with_its_line() {
 }
 
 #[test]
+fn bookings_go_on_only_from_a_run_that_has_them() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let folder = folder.path();
+    write(folder, "from = \"s.ballast\"\nkeep = \"all\"\n");
+    let sample = "run sample.toml --cycles 50 --checkpoint s.ballast";
+    let unbooked = "--set history.columns=[\"kinetic\"]";
+    let made = ballast(folder, &format!("{sample} {unbooked}"));
+    assert_eq!(made.status.code(), Some(0), "{}", said(&made));
+    let refused = ballast(folder, "run p.toml --csv x.csv");
+    let message = said(&refused);
+    assert_eq!(refused.status.code(), Some(2), "{message}");
+    for hint in [
+        "p.toml:",
+        "asks for energy_error, friction_loss",
+        "[history] columns of the run",
+    ] {
+        assert!(message.contains(hint), "no `{hint}` in {message}");
+    }
+    // Who asks for none may go on, and who has them, too.
+    let on = ballast(folder, &format!("run p.toml --csv x.csv {unbooked}"));
+    assert_eq!(on.status.code(), Some(0), "{}", said(&on));
+    let made = ballast(folder, sample);
+    assert_eq!(made.status.code(), Some(0), "{}", said(&made));
+    let on = ballast(folder, "run p.toml --csv y.csv");
+    assert_eq!(on.status.code(), Some(0), "{}", said(&on));
+}
+
+#[test]
 fn a_sample_that_takes_long_holds_up_nobody() {
     let folder = tempfile::tempdir().expect("a folder");
     let folder = folder.path();
