@@ -74,6 +74,8 @@ fn the_ledger_closes_between_walls_in_a_flow() {
         assert!(b.boundary_work.abs() > 0.0 && b.friction_loss > 0.0);
         b.energy_error
     });
+    // What is missed falls with the step: 1.4e-3 and 2.4e-4. Without the work at walls it is .32 and .33,
+    // without that of weights .49 at either step.
     assert!(missed[0].abs() < 3e-3, "{missed:?}");
     assert!(missed[1].abs() < 0.6 * missed[0].abs(), "{missed:?}");
 }
