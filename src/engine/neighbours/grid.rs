@@ -49,7 +49,7 @@ pub(super) struct Grid {
 const SIZES: usize = 32;
 
 /// How many times over `least` the largest may reach and still share its boxes.
-const ALIKE: f64 = 1.5;
+const ALIKE: f64 = 3.5;
 
 impl Grid {
     /// Bytes per particle: its spot and room for the boxes it may be given.
@@ -83,7 +83,8 @@ impl Grid {
     /// The box of a spot.
     #[inline(always)]
     fn home(&self, spot: &Spot) -> usize {
-        self.levels[self.level_of(spot.radius)].cell(self.low, spot.x)
+        let level = self.level_of(spot.radius);
+        self.levels[level].cell(self.low, spot.x)
     }
 
     /// Lays the levels.
@@ -139,6 +140,9 @@ impl Grid {
     /// The level that particles of this radius [m] are on.
     #[inline(always)]
     pub(super) fn level_of(&self, radius: f64) -> usize {
+        if self.levels.len() == 1 {
+            return 0;
+        }
         usize::from(self.level[self.doublings(radius)])
     }
 

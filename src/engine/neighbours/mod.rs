@@ -10,6 +10,7 @@ pub(super) mod images;
 mod level;
 pub mod list;
 mod near;
+mod partner;
 mod party;
 mod periodic;
 mod search;

@@ -2,7 +2,7 @@
 
 use super::found::{Found, Meant};
 use super::near::Near;
-use crate::engine::boundary::cell::Image;
+use super::partner::Partner;
 use crate::engine::threads::{Threads, share};
 
 /// Who searches, and what they found: the first one has all that was found by second bodies.
@@ -15,7 +15,7 @@ pub(super) struct Searcher {
     /// The particles it looks around.
     pub(super) stretch: std::ops::Range<usize>,
     pub(super) near: Near,
-    pub(super) partners: Vec<(u32, Image)>,
+    pub(super) partners: Vec<Partner>,
     pub(super) found: Found,
 }
 

@@ -2,6 +2,7 @@
 
 use super::grid::{Grid, Spot};
 use super::near::sort_few;
+use super::partner::Partner;
 use super::party::{Party, Searcher};
 use crate::engine::boundary::cell::{Cell, HERE, Image};
 use crate::engine::particles::Row;
@@ -28,13 +29,14 @@ impl Tiling {
         self.strayed.clear();
         let mut largest = 0.0f64;
         for row in rows {
-            self.strayed.push(cell.image(row.x));
             largest = largest.max(row.radius);
         }
         let widths = cell.widths();
         for (p, row) in rows.iter().enumerate() {
-            let home = brought_home(cell, row.x, self.strayed[p]);
-            let fractions = cell.fractions(home);
+            let fractions = cell.fractions(row.x);
+            let strayed = fractions.map(floor);
+            self.strayed.push(strayed);
+            let fractions = [0, 1].map(|k| fractions[k] - f64::from(strayed[k]));
             let margin = widths.map(|width| (row.radius + largest + tol) / width);
             let reach = |k: usize| {
                 let inside = margin[k] <= fractions[k] && fractions[k] <= 1.0 - margin[k];
@@ -106,12 +108,12 @@ impl Tiling {
                         let image = [0, 1].map(|k| shift[k] - away[k] + home[k]);
                         // A particle and its own image meet in two places that are one contact.
                         if level > own || a.index < j || (a.index == j && image > HERE) {
-                            partners.push((j, image));
+                            partners.push(Partner::new(j, image));
                         }
                     }
                 }
                 sort_few(partners);
-                for &(j, image) in &*partners {
+                for (j, image) in partners.iter().map(Partner::meant) {
                     if j < a.index {
                         found.late([j, a.index], image.map(|n| -n));
                     } else {
@@ -123,9 +125,19 @@ impl Tiling {
     }
 }
 
+/// The whole number below, which the processor alone rounds to only with newer instructions.
+#[inline(always)]
+fn floor(fraction: f64) -> i16 {
+    let towards_nought = fraction as i16;
+    towards_nought.saturating_sub(i16::from(f64::from(towards_nought) > fraction))
+}
+
 /// The place [m] at home of what has strayed to an image of the cell.
 #[inline(always)]
 fn brought_home(cell: &Cell, x: [f64; 2], strayed: Image) -> [f64; 2] {
+    if strayed == HERE {
+        return x;
+    }
     let shift = cell.shift(strayed);
     [x[0] - shift[0], x[1] - shift[1]]
 }

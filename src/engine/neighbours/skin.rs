@@ -2,7 +2,7 @@
 //! few pairs are looked at in vain. Both follow from what was counted, never from a clock.
 
 /// Making the list costs as much per particle as looking so many times at a pair out of touch.
-const SEARCH: f64 = 30.0;
+const SEARCH: f64 = 45.0;
 
 /// Pairs per particle in a halo of one radius, equal particles lying densely: 2 φ with φ = 0.85.
 const DENSE: f64 = 1.7;
@@ -11,11 +11,12 @@ const DENSE: f64 = 1.7;
 /// all but touch are listed in any halo.
 const THIN: f64 = 0.1;
 
-/// Bounds, in radii.
-const BOUNDS: [f64; 2] = [0.01, 1.0];
+/// Bounds, in radii: in a slowly sheared assembly a few thousandths are best.
+const BOUNDS: [f64; 2] = [0.001, 1.0];
 
-/// Not more than this factor at once: motion comes in bursts.
-const STEP: f64 = 2.0;
+/// Not more than these factors down and up at once: motion comes in bursts, but what a whole list has
+/// seen for long lasts.
+const STEPS: [f64; 2] = [8.0, 2.0];
 
 /// What the halo is chosen from.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,7 +53,8 @@ impl Use {
 
     /// The next halo [m].
     pub(in crate::engine) fn next(&self) -> f64 {
-        self.best().clamp(self.tol / STEP, self.tol * STEP)
+        let [down, up] = STEPS;
+        self.best().clamp(self.tol / down, self.tol * up)
     }
 }
 
@@ -91,12 +93,12 @@ mod tests {
             cycles: 1,
             ..STEADY
         };
-        assert_eq!(fast.next(), STEP * fast.tol);
+        assert_eq!(fast.next(), STEPS[1] * fast.tol);
         let still = Use {
             nearer: 0.0,
             ..STEADY
         };
-        assert_eq!(still.next(), still.tol / STEP);
+        assert_eq!(still.next(), still.tol / STEPS[0]);
         assert_eq!(still.best(), BOUNDS[0]);
         let torn = Use {
             nearer: f64::NAN,

@@ -141,6 +141,11 @@ impl Whose {
         !self.walls.is_empty()
     }
 
+    /// First contact of each particle with a wall, and one further on; empty without walls.
+    pub(in crate::engine) fn walls(&self) -> &[u32] {
+        &self.walls
+    }
+
     /// Contacts of a particle with walls.
     #[inline(always)]
     pub(in crate::engine) fn at_walls(&self, p: usize) -> Range<usize> {
