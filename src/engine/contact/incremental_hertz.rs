@@ -56,21 +56,21 @@ impl<V: Lanes> IncrementalHertz<V> {
     }
 
     /// Radius a of the contact [m] (4.14).
-    #[inline]
+    #[inline(always)]
     pub fn radius(&self, memory: &SummedHertz<V>) -> V {
         (V::all(0.75) * memory.force * self.r_eff / self.young_eff).each(libm::cbrt)
     }
 
     /// The overlap a²/R\* [m] that Hertz's law gives the summed force: what the tangential law has
     /// to see.
-    #[inline]
+    #[inline(always)]
     pub fn depth(&self, memory: &SummedHertz<V>) -> V {
         let a = self.radius(memory);
         a * a / self.r_eff
     }
 
     /// Force [N] after the approach dn [m].
-    #[inline]
+    #[inline(always)]
     pub fn sum(&self, dn: V, memory: &mut SummedHertz<V>) -> V {
         let zero = V::all(0.0);
         let first = V::all(4.0 / 3.0) * self.young_eff * (self.r_eff * dn * dn * dn).sqrt();

@@ -266,8 +266,14 @@ impl<L: Law> Kernel<'_, L> {
     #[inline(never)]
     unsafe fn wall<const BOOK: bool>(&self, k: usize) {
         let w = k - self.view.pairs.len();
-        let wall: &WallTouch = &self.view.wall_touches[w];
-        let row: &Row = &self.view.rows[self.view.wall_pairs[w].particle as usize];
+        // SAFETY: the caller's: a contact with a wall, whose particle has a row.
+        let (wall, row): (&WallTouch, &Row) = unsafe {
+            let particle = self.view.wall_pairs.get_unchecked(w).particle;
+            (
+                self.view.wall_touches.get_unchecked(w),
+                self.view.rows.get_unchecked(particle as usize),
+            )
+        };
         let overlap = row.radius - wall.distance;
         // What is not a number touches.
         let touching = !0.0.at_least(overlap);

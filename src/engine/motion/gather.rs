@@ -25,8 +25,8 @@ pub(super) struct Gather<'a> {
     places: *const Places,
     particles: usize,
     whose: &'a Whose,
-    /// Whether anybody is near a wall.
-    walls: bool,
+    /// First contact of each particle with a wall, if anybody is near one.
+    walls: Option<*const u32>,
 }
 
 /// Sums over contacts of one particle.
@@ -48,7 +48,8 @@ impl<'a> Gather<'a> {
         assert!(
             whose.places().len() == particles
                 && whose.is_of(contacts.len())
-                && contacts.slots.len() > contacts.len(),
+                && contacts.slots.len() > contacts.len()
+                && (!whose.meet_walls() || whose.walls().len() > particles),
             "places of other particles or contacts"
         );
         Self {
@@ -56,7 +57,7 @@ impl<'a> Gather<'a> {
             places: whose.places().as_ptr(),
             particles,
             whose,
-            walls: whose.meet_walls(),
+            walls: whose.meet_walls().then(|| whose.walls().as_ptr()),
         }
     }
 
@@ -93,7 +94,8 @@ impl<'a> Gather<'a> {
         unsafe {
             let places: *const u32 = self.places.add(p).cast();
             let crowded = Whose::is_more(*places.add(LASTS[0]) | *places.add(LASTS[1]));
-            if crowded || WALLS && self.walls && !self.whose.at_walls(p).is_empty() {
+            let near_wall = |first: *const u32| *first.add(p) < *first.add(p + 1);
+            if crowded || WALLS && self.walls.is_some_and(near_wall) {
                 let [force, size] = self.one_by_one(p);
                 return Total {
                     force: Q::of_four(force),

@@ -202,8 +202,11 @@ impl<const M: usize> Diagram<M> {
     /// Appends a node behind which one more will come: there must be room.
     #[inline]
     pub(super) fn append(&mut self, node: Node) {
-        self.nodes[self.len] = node;
-        self.len += 1;
+        debug_assert!(self.len < M, "no room for a node");
+        // So that no lane asks whether there is.
+        let place = self.len.min(M - 1);
+        self.nodes[place] = node;
+        self.len = place + 1;
     }
 
     /// Makes a node the state of now and keeps the polyline at no more than `most` nodes. Answers, if
