@@ -190,3 +190,61 @@ fn scenes_are_listed_and_wrong_ones_answered() {
         said(&wrong)
     );
 }
+
+#[test]
+fn a_preset_is_timed_where_it_is_asked() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let stages = ["first", "last"].map(|name| {
+        format!(
+            "[[stage]]\nname = \"{name}\"\nmax_cycles = 20\ndo = [\"damp contact 0.{}\"]\n",
+            name.len()
+        )
+    });
+    let preset = format!("{SAMPLE}{}{}", stages[0], stages[1]);
+    std::fs::write(folder.path().join("own.toml"), &preset).expect("it can be written");
+    let timed = |more: &[&str]| {
+        let first = [
+            "bench", "own.toml", "--cycles", "50", "--csv", "-", "--quiet",
+        ];
+        ballast(folder.path(), &[&first, more].concat())
+    };
+    for (more, particles, law) in [
+        (&[][..], "4", "hertz-mindlin"),
+        (
+            &["--at", "first/7", "--set", "model.law=\"hertz\""],
+            "4",
+            "hertz",
+        ),
+    ] {
+        let output = timed(more);
+        assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+        let text = String::from_utf8_lossy(&output.stdout).into_owned();
+        let mut lines = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
+        let (names, row) = (lines.next().expect("names"), lines.next().expect("a row"));
+        let cell = |name: &str| {
+            let found = names.iter().position(|other| *other == name);
+            row[found.unwrap_or_else(|| panic!("no {name} in {text}"))]
+        };
+        assert_eq!(
+            [cell("scene"), cell("particles"), cell("law")],
+            ["own", particles, law]
+        );
+        assert_eq!(lines.next(), None);
+    }
+    for (more, hint) in [
+        (["--at", "second"], "own has no stage `second`"),
+        (["--set", "model.lw=\"hertz\""], "lw"),
+    ] {
+        let output = timed(&more);
+        assert_eq!(output.status.code(), Some(2), "{}", said(&output));
+        assert!(said(&output).contains(hint), "{}", said(&output));
+    }
+}
+
+/// It is timed by a script that nothing else runs.
+#[test]
+fn the_scene_of_several_sizes_is_accepted() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/benches/polydisperse.toml");
+    let scene = Scene::load(path, &[]).expect("it is accepted");
+    assert_eq!(scene.stages.last().expect("it has stages").name, "timed");
+}

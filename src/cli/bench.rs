@@ -1,15 +1,17 @@
-//! `ballast bench`: how fast standard scenes run.
+//! `ballast bench`: how fast standard scenes and presets run.
+
+use std::path::Path;
 
 use super::aligned::aligned;
-use super::output::{complain, print, tell, unopened};
-use super::progress::Progress;
-use super::sample::with_sample;
+use super::output::{complain, load, print, tell};
+use super::placed::placed;
 use super::{BAD_INPUT, Bench, FAILED};
 use crate::measure::columns::nearest;
 use crate::record::whole_file;
 use crate::scene::Scene;
+use crate::scene::catalogue::PRESETS;
 use crate::session::figure::rough;
-use crate::session::{Options, Place, Reached, Session};
+use crate::session::{Place, Session};
 use crate::study::bench::{
     Length, Measured, Memory, STANDARD, Standard, csv, find, machine, measure, rows,
 };
@@ -22,7 +24,7 @@ pub(super) fn bench(options: &Bench) -> u8 {
             .collect();
         return print(&format!("{}\n", aligned(&rows, 1, 1).join("\n")));
     }
-    let scenes = match chosen(&options.scenes) {
+    let scenes = match chosen(options) {
         Ok(scenes) => scenes,
         Err(status) => return status,
     };
@@ -30,19 +32,20 @@ pub(super) fn bench(options: &Bench) -> u8 {
         .cycles
         .map_or(Length::Seconds(options.seconds), Length::Cycles);
     let mut all: Vec<Measured> = Vec::new();
-    for standard in scenes {
-        let session = opened(standard, usize::from(options.threads), options.quiet);
-        let mut session = match session {
+    for timed in scenes {
+        let (name, summary) = (timed.name.clone(), timed.summary.clone());
+        let threads = usize::from(options.threads);
+        let mut session = match timed.session(options.at.as_ref(), threads, options.quiet) {
             Ok(session) => session,
             Err(status) => return status,
         };
         if !options.quiet {
-            tell(&format!("{}: {}", standard.name, standard.summary));
+            tell(&format!("{name}: {summary}"));
         }
-        match measure(standard.name, &mut session, length) {
+        match measure(&name, &mut session, length) {
             Ok(measured) => all.push(measured),
             Err(fault) => {
-                complain(&format!("{}: {fault}", standard.name));
+                complain(&format!("{name}: {fault}"));
                 return FAILED;
             }
         }
@@ -73,47 +76,76 @@ pub(super) fn bench(options: &Bench) -> u8 {
     print(&text)
 }
 
-/// The scenes of these names; none: all but the large ones.
-fn chosen(names: &[String]) -> Result<Vec<&'static Standard>, u8> {
-    if names.is_empty() {
-        return Ok(STANDARD.iter().filter(|scene| !scene.large).collect());
-    }
-    let known = || STANDARD.iter().map(|scene| scene.name);
-    let scenes = names.iter().map(|name| {
-        find(name).ok_or_else(|| {
-            complain(&format!(
-                "there is no standard scene `{name}`; {}",
-                nearest(name, known())
-            ));
-            BAD_INPUT
-        })
-    });
-    scenes.collect()
+/// What is timed, and where its clock starts.
+pub(super) struct Timed {
+    name: String,
+    summary: String,
+    scene: Scene,
+    stage: Option<String>,
 }
 
-/// A standard scene where its clock starts; or the exit status.
-pub(super) fn opened(standard: &Standard, threads: usize, quiet: bool) -> Result<Session, u8> {
-    let set: Vec<String> = standard.set.iter().map(|set| (*set).to_owned()).collect();
-    let scene = Scene::load(standard.preset, &set).map_err(|error| unopened(&error.into()))?;
-    let place = Place {
-        stage: standard.stage.to_owned(),
-        cycles: 0,
-    };
-    let scene = with_sample(scene, threads, quiet)?;
-    let how = Options {
-        threads,
-        expendable: true,
-        ..Options::default()
-    };
-    let mut session = Session::open(scene, how).map_err(|error| unopened(&error))?;
-    let mut progress = Progress::new(&session, None, quiet);
-    let reached = session.reach(Some(&place), &mut |session| progress.show(session));
-    progress.clear();
-    match reached.map_err(|error| unopened(&error))? {
-        Reached::There => Ok(session),
-        Reached::Nowhere(refusal) => {
-            complain(&refusal.to_string());
+impl Timed {
+    /// A standard scene with more overrides; or the exit status.
+    pub(super) fn standard(standard: &Standard, set: &[String]) -> Result<Self, u8> {
+        let own = standard.set.iter().map(|set| (*set).to_owned());
+        let set: Vec<String> = own.chain(set.iter().cloned()).collect();
+        Ok(Self {
+            name: standard.name.to_owned(),
+            summary: standard.summary.to_owned(),
+            scene: load(standard.preset, &set).ok_or(BAD_INPUT)?,
+            stage: Some(standard.stage.to_owned()),
+        })
+    }
+
+    /// A preset, from where its last stage begins; or the exit status.
+    fn preset(preset: &str, set: &[String]) -> Result<Self, u8> {
+        let scene = load(preset, set).ok_or(BAD_INPUT)?;
+        Ok(Self {
+            name: scene.name.clone(),
+            summary: scene.about.title.clone(),
+            stage: scene.stages.last().map(|stage| stage.name.clone()),
+            scene,
+        })
+    }
+
+    /// Its run at `place`, or where its clock starts; or the exit status.
+    pub(super) fn session(
+        self,
+        place: Option<&Place>,
+        threads: usize,
+        quiet: bool,
+    ) -> Result<Session, u8> {
+        let own = self.stage.map(|stage| Place { stage, cycles: 0 });
+        placed(self.scene, place.or(own.as_ref()), threads, quiet)
+    }
+}
+
+/// Whether it is the name of an embedded preset, or looks like that of a file.
+fn is_preset(name: &str) -> bool {
+    let embedded = PRESETS.iter().any(|preset| preset.name == name);
+    let path = Path::new(name);
+    embedded || path.extension().is_some() || path.components().count() > 1
+}
+
+/// What these names mean; none: all standard scenes but the large ones.
+fn chosen(options: &Bench) -> Result<Vec<Timed>, u8> {
+    let set = &options.set;
+    if options.scenes.is_empty() {
+        let usual = STANDARD.iter().filter(|scene| !scene.large);
+        return usual.map(|scene| Timed::standard(scene, set)).collect();
+    }
+    let named = |name: &String| match find(name) {
+        Some(standard) => Timed::standard(standard, set),
+        None if is_preset(name) => Timed::preset(name, set),
+        None => {
+            let known = STANDARD.iter().map(|scene| scene.name);
+            let known = known.chain(PRESETS.iter().map(|preset| preset.name));
+            let nearest = nearest(name, known);
+            complain(&format!(
+                "there is no standard scene or preset `{name}`; {nearest}"
+            ));
             Err(BAD_INPUT)
         }
-    }
+    };
+    options.scenes.iter().map(named).collect()
 }

@@ -2,13 +2,12 @@
 
 use std::path::Path;
 
-use super::bench::opened;
+use super::bench::Timed;
 use super::output::{complain, load, tell, unopened};
-use super::progress::Progress;
-use super::sample::with_sample;
+use super::placed::placed;
 use super::{BAD_INPUT, FAILED, Lammps};
 use crate::record::checkpoint;
-use crate::session::{Options, Reached, Session};
+use crate::session::Session;
 use crate::study::bench::find;
 
 /// Writes a deck for LAMMPS; answers the exit status.
@@ -61,24 +60,8 @@ fn session(options: &Lammps) -> Result<Session, u8> {
         && options.at.is_none()
         && options.set.is_empty()
     {
-        return opened(standard, threads, options.quiet);
+        return Timed::standard(standard, &[])?.session(None, threads, options.quiet);
     }
     let scene = load(&options.preset, &options.set).ok_or(BAD_INPUT)?;
-    let scene = with_sample(scene, threads, options.quiet)?;
-    let how = Options {
-        threads,
-        expendable: true,
-        ..Options::default()
-    };
-    let mut session = Session::open(scene, how).map_err(failed)?;
-    let mut progress = Progress::new(&session, None, options.quiet);
-    let reached = session.reach(options.at.as_ref(), &mut |session| progress.show(session));
-    progress.clear();
-    match reached.map_err(failed)? {
-        Reached::There => Ok(session),
-        Reached::Nowhere(refusal) => {
-            complain(&refusal.to_string());
-            Err(BAD_INPUT)
-        }
-    }
+    placed(scene, options.at.as_ref(), threads, options.quiet)
 }

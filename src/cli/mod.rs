@@ -13,6 +13,7 @@ mod large_pages;
 mod lists;
 mod output;
 mod pages;
+mod placed;
 mod plot;
 mod progress;
 mod run;
@@ -125,7 +126,7 @@ enum Command {
     Study(Study),
     /// Draw columns of histories, or a checkpoint, as SVG
     Plot(Plot),
-    /// Time standard scenes: contact updates and cycles per second, memory, share of each pass
+    /// Time standard scenes or presets: contact updates and cycles per second, memory, share of each pass
     Bench(Bench),
     /// Write a scene for another program
     Export {
@@ -304,13 +305,15 @@ struct Plot {
 /// Options of `bench`.
 #[derive(Debug, Args)]
 #[command(
-    long_about = "Time standard scenes and print contact updates and cycles per second, memory of each \
+    long_about = "Time standard scenes or presets and print contact updates and cycles per second, memory of each \
     particle and pair, and the share of the time that each part of a cycle takes. Samples are prepared \
     once and kept. Rates are the median of five stretches, in wall time: run it on a quiet machine. \
+    A preset is timed from where its last stage begins, its commands issued, or from where --at says. \
     `ballast export lammps SCENE` writes the same scene for LAMMPS."
 )]
 struct Bench {
-    /// Standard scenes [default: all but the large ones]
+    /// Standard scenes, or presets (embedded name or file) [default: the standard scenes but the
+    /// large ones]
     scenes: Vec<String>,
     /// List them instead
     #[arg(long)]
@@ -321,6 +324,12 @@ struct Bench {
     /// Run each so many cycles instead
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u64).range(1..))]
     cycles: Option<u64>,
+    /// Start the clock at this stage, its commands issued, or so many cycles into it
+    #[arg(long, value_name = "STAGE[/CYCLES]", value_parser = Place::parse)]
+    at: Option<Place>,
+    /// Override a key of each scene
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    set: Vec<String>,
     /// Write the numbers as CSV to this file; -: to standard output, instead of the table
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
