@@ -208,29 +208,31 @@ fn a_preset_is_timed_where_it_is_asked() {
         ];
         ballast(folder.path(), &[&first, more].concat())
     };
-    for (more, particles, law) in [
-        (&[][..], "4", "hertz-mindlin"),
-        (
-            &["--at", "first/7", "--set", "model.law=\"hertz\""],
-            "4",
-            "hertz",
-        ),
-    ] {
+    // Scene, law and state at the end.
+    let row = |more: &[&str]| {
         let output = timed(more);
         assert_eq!(output.status.code(), Some(0), "{}", said(&output));
         let text = String::from_utf8_lossy(&output.stdout).into_owned();
         let mut lines = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
         let (names, row) = (lines.next().expect("names"), lines.next().expect("a row"));
-        let cell = |name: &str| {
-            let found = names.iter().position(|other| *other == name);
-            row[found.unwrap_or_else(|| panic!("no {name} in {text}"))]
-        };
-        assert_eq!(
-            [cell("scene"), cell("particles"), cell("law")],
-            ["own", particles, law]
-        );
         assert_eq!(lines.next(), None);
-    }
+        ["scene", "law", "state_hash"].map(|name| {
+            let found = names.iter().position(|other| *other == name);
+            row[found.unwrap_or_else(|| panic!("no {name} in {text}"))].to_owned()
+        })
+    };
+    let usual = row(&[]);
+    assert_eq!(usual[..2], ["own", "hertz-mindlin"]);
+    assert_eq!(usual, row(&["--at", "last"]));
+    // Hashes know their cycles.
+    let others = [
+        row(&["--at", "first"]),
+        row(&["--at", "first/7"]),
+        row(&["--at", "last/7"]),
+    ];
+    let all: std::collections::BTreeSet<_> = others.iter().chain([&usual]).collect();
+    assert_eq!(all.len(), 4, "{all:?}");
+    assert_eq!(row(&["--set", "model.law=\"hertz\""])[1], "hertz");
     for (more, hint) in [
         (["--at", "second"], "own has no stage `second`"),
         (["--set", "model.lw=\"hertz\""], "lw"),
@@ -245,6 +247,13 @@ fn a_preset_is_timed_where_it_is_asked() {
 #[test]
 fn the_scene_of_several_sizes_is_accepted() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/benches/polydisperse.toml");
-    let scene = Scene::load(path, &[]).expect("it is accepted");
+    let set = [
+        "generate.grains.distribution={kind=\"lognormal\", mean=1e-3, deviation=7e-4, min=2e-4, max=5e-3, count=50}",
+        "generate.grains.in={rectangle={min=[0.0, 0.0], max=[0.1, 0.1]}}",
+        "cell.size=[0.1, 0.1]",
+        "particle.1.at=[0.05, 0.05]",
+        "particle.1.radius=0.01",
+    ];
+    let scene = Scene::load(path, &set.map(str::to_owned)).expect("it is accepted");
     assert_eq!(scene.stages.last().expect("it has stages").name, "timed");
 }

@@ -28,6 +28,17 @@ pub(super) fn bench(options: &Bench) -> u8 {
         Ok(scenes) => scenes,
         Err(status) => return status,
     };
+    if let Some(at) = &options.at
+        && let Some(without) = scenes.iter().find(|timed| !timed.has(at))
+    {
+        let stages = without.scene.stages.iter();
+        let nearest = nearest(&at.stage, stages.map(|stage| stage.name.as_str()));
+        complain(&format!(
+            "{} has no stage `{}`; {nearest}",
+            without.name, at.stage
+        ));
+        return BAD_INPUT;
+    }
     let length = options
         .cycles
         .map_or(Length::Seconds(options.seconds), Length::Cycles);
@@ -108,6 +119,12 @@ impl Timed {
         })
     }
 
+    /// Whether it has the stage of a place.
+    fn has(&self, place: &Place) -> bool {
+        let mut stages = self.scene.stages.iter();
+        stages.any(|stage| stage.name == place.stage)
+    }
+
     /// Its run at `place`, or where its clock starts; or the exit status.
     pub(super) fn session(
         self,
@@ -124,7 +141,7 @@ impl Timed {
 fn is_preset(name: &str) -> bool {
     let embedded = PRESETS.iter().any(|preset| preset.name == name);
     let path = Path::new(name);
-    embedded || path.extension().is_some() || path.components().count() > 1
+    embedded || path.is_file() || path.extension().is_some() || path.components().count() > 1
 }
 
 /// What these names mean; none: all standard scenes but the large ones.

@@ -56,11 +56,9 @@ fn session(options: &Lammps) -> Result<Session, u8> {
         }
         return Session::resume(path, threads).map_err(failed);
     }
-    if let Some(standard) = find(&options.preset)
-        && options.at.is_none()
-        && options.set.is_empty()
-    {
-        return Timed::standard(standard, &[])?.session(None, threads, options.quiet);
+    if let Some(standard) = find(&options.preset) {
+        let scene = Timed::standard(standard, &options.set)?;
+        return scene.session(options.at.as_ref(), threads, options.quiet);
     }
     let scene = load(&options.preset, &options.set).ok_or(BAD_INPUT)?;
     placed(scene, options.at.as_ref(), threads, options.quiet)

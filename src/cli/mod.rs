@@ -309,7 +309,7 @@ struct Plot {
     particle and pair, and the share of the time that each part of a cycle takes. Samples are prepared \
     once and kept. Rates are the median of five stretches, in wall time: run it on a quiet machine. \
     A preset is timed from where its last stage begins, its commands issued, or from where --at says. \
-    `ballast export lammps SCENE` writes the same scene for LAMMPS."
+    `ballast export lammps SCENE` writes the same standard scene for LAMMPS, and a preset with the same --at."
 )]
 struct Bench {
     /// Standard scenes, or presets (embedded name or file) [default: the standard scenes but the

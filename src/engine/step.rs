@@ -26,7 +26,7 @@ const SPENT: f64 = 0.75;
 
 /// Cycles, and powers of two beyond, after which a list that lasts is asked whether it is too wide:
 /// it is if less than this share of it would be best.
-const LOOK_AFTER: u64 = 8;
+const LOOK_AFTER: u64 = 32;
 const WIDE: f64 = 0.5;
 
 impl World {

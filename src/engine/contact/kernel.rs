@@ -75,8 +75,8 @@ impl<L: Law> Kernel<'_, L> {
     /// Contacts `from..to`, with the instructions asked for.
     ///
     /// # Safety
-    /// The pointers must be to so many contacts, the pairs to rows, and nobody else may work on
-    /// these contacts.
+    /// The pointers must be to so many contacts, the pairs, those with walls, too, name rows there are,
+    /// and nobody else may work on these contacts.
     pub(super) unsafe fn run<const BOOK: bool>(&self, from: usize, to: usize, isa: Isa) {
         let pairs = self.view.pairs.len();
         let last = to.min(pairs);

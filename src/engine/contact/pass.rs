@@ -188,8 +188,10 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
     ) {
         let total = self.count();
         let one_each = [self.memory.len(), status.len()];
+        let at_walls = [view.wall_pairs.len(), view.wall_touches.len()];
         assert!(
             one_each == [total; 2]
+                && at_walls == [self.laws[1].len(); 2]
                 && slots.len() > total
                 && view.pairs.len() == self.laws[0].len()
                 && self.tables.counts == [self.laws[0].len(), self.laws[1].len()]

@@ -1,7 +1,7 @@
 //! Boxes: particles binned by centre, so that only near ones are compared.
 //!
-//! Particles of like size, within a factor of two, share a level of boxes as wide as the largest of
-//! them reach. One that looks for neighbours looks at the boxes around it on its own level and on
+//! Particles of like size, within a factor of two or, if all are, a little more, share a level of boxes as
+//! wide as the largest of them reach. One that looks for neighbours looks at the boxes around it on its own level and on
 //! the coarser ones: a ball among sand, or sizes over three decades, cost hardly more than equal ones.
 
 use super::level::{BOXES_PER_PARTICLE, Level};
@@ -48,8 +48,9 @@ pub(super) struct Grid {
 /// More doublings of the size than this share the last level.
 const SIZES: usize = 32;
 
-/// How many times over `least` the largest may reach and still share its boxes.
-const ALIKE: f64 = 3.5;
+/// All share one level as long as a box as wide as the largest reaches is no larger than so many as wide
+/// as they reach in the mean square: larger boxes hold more that is looked at in vain.
+const ALIKE: f64 = 3.0;
 
 impl Grid {
     /// Bytes per particle: its spot and room for the boxes it may be given.
@@ -91,19 +92,22 @@ impl Grid {
     fn lay(&mut self, count: usize, tol: f64, spot: &impl Fn(usize) -> Spot) {
         let mut high = [f64::NEG_INFINITY; 2];
         self.low = [f64::INFINITY; 2];
-        let (mut least, mut most) = (f64::INFINITY, 0.0f64);
+        let (mut least, mut most, mut squares) = (f64::INFINITY, 0.0f64, 0.0);
         for k in 0..count {
             let Spot { x, radius, .. } = spot(k);
             self.low = [self.low[0].min(x[0]), self.low[1].min(x[1])];
             high = [high[0].max(x[0]), high[1].max(x[1])];
             (least, most) = (least.min(radius), most.max(radius));
+            let reach = 2.0 * radius + tol;
+            squares += reach * reach;
         }
         let span = [high[0] - self.low[0], high[1] - self.low[1]];
         (self.tol, self.least) = (tol, 2.0 * least + tol);
         self.levels.clear();
-        let alike = 2.0 * most + tol <= ALIKE * self.least;
+        let reach = 2.0 * most + tol;
+        let alike = reach * reach * count as f64 <= ALIKE * squares;
         if alike {
-            self.least = 2.0 * most + tol;
+            self.least = reach;
         }
         // How many there are of each size, and the largest radius among them.
         let mut sizes = [(0, 0.0f64); SIZES];

@@ -18,7 +18,7 @@ impl Partner {
 
     /// Body and image.
     #[inline(always)]
-    pub(super) fn meant(&self) -> (u32, Image) {
+    pub(super) fn meant(self) -> (u32, Image) {
         let image = [self.0 >> 16, self.0].map(|n| (n as u16 ^ SIGN) as i16);
         ((self.0 >> 32) as u32, image)
     }

@@ -113,7 +113,7 @@ impl Tiling {
                     }
                 }
                 sort_few(partners);
-                for (j, image) in partners.iter().map(Partner::meant) {
+                for (j, image) in partners.iter().map(|partner| partner.meant()) {
                     if j < a.index {
                         found.late([j, a.index], image.map(|n| -n));
                     } else {
