@@ -194,3 +194,38 @@ impl Grid {
         &self.members[from..to.map_or(self.members.len(), |to| *to as usize)]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Levels for so many spots of each radius.
+    fn levels(sizes: &[(usize, f64)]) -> usize {
+        let radii: Vec<f64> = (sizes.iter())
+            .flat_map(|&(count, radius)| std::iter::repeat_n(radius, count))
+            .collect();
+        let mut grid = Grid::default();
+        grid.fill(radii.len(), 0.01, |k| Spot {
+            x: [k as f64, 0.0],
+            radius: radii[k],
+            index: k as u32,
+        });
+        grid.levels.len()
+    }
+
+    #[test]
+    fn a_few_large_ones_do_not_widen_the_boxes_of_all() {
+        assert_eq!(levels(&[(1000, 1.0)]), 1);
+        // Randall's grading, 3 to 1.
+        let graded = [
+            (30, 0.92),
+            (138, 0.76),
+            (172, 0.61),
+            (230, 0.46),
+            (30, 0.31),
+        ];
+        assert_eq!(levels(&graded), 1);
+        assert_eq!(levels(&[(1000, 1.0), (1, 3.0)]), 2);
+        assert_eq!(levels(&[(1000, 1.0), (1, 100.0)]), 2);
+    }
+}
