@@ -28,15 +28,13 @@ pub(super) fn bench(options: &Bench) -> u8 {
         Ok(scenes) => scenes,
         Err(status) => return status,
     };
-    if let Some(at) = &options.at
-        && let Some(without) = scenes.iter().find(|timed| !timed.has(at))
-    {
-        let stages = without.scene.stages.iter();
-        let nearest = nearest(&at.stage, stages.map(|stage| stage.name.as_str()));
-        complain(&format!(
-            "{} has no stage `{}`; {nearest}",
-            without.name, at.stage
-        ));
+    // Before anything is timed that would be lost.
+    let mut places = scenes.iter().filter_map(|timed| {
+        let place = options.at.as_ref()?;
+        place.stage_of(&timed.scene).err()
+    });
+    if let Some(refusal) = places.next() {
+        complain(&refusal.to_string());
         return BAD_INPUT;
     }
     let length = options
@@ -117,12 +115,6 @@ impl Timed {
             stage: scene.stages.last().map(|stage| stage.name.clone()),
             scene,
         })
-    }
-
-    /// Whether it has the stage of a place.
-    fn has(&self, place: &Place) -> bool {
-        let mut stages = self.scene.stages.iter();
-        stages.any(|stage| stage.name == place.stage)
     }
 
     /// Its run at `place`, or where its clock starts; or the exit status.

@@ -5,6 +5,7 @@ use std::fmt;
 use super::course::Phase;
 use super::{Refusal, RunError, Session};
 use crate::measure::columns::nearest;
+use crate::scene::Scene;
 
 /// A place in the stages of a scene.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -26,6 +27,19 @@ impl Place {
             }),
             _ => Err("STAGE or STAGE/CYCLES is expected, for instance shear or shear/1000".into()),
         }
+    }
+}
+
+impl Place {
+    /// Which of the stages of a scene it names.
+    pub fn stage_of(&self, scene: &Scene) -> Result<usize, Refusal> {
+        let names = || scene.stages.iter().map(|stage| stage.name.as_str());
+        names().position(|name| name == self.stage).ok_or_else(|| {
+            Refusal::new(
+                format!("{} has no stage `{}`", scene.name, self.stage),
+                nearest(&self.stage, names()),
+            )
+        })
     }
 }
 
@@ -55,18 +69,12 @@ impl Session {
         place: Option<&Place>,
         beat: &mut dyn FnMut(&Session),
     ) -> Result<Reached, RunError> {
-        let names = || self.scene.stages.iter().map(|stage| stage.name.as_str());
         let (wanted, cycles) = match place {
             None if self.scene.stages.is_empty() => return Ok(Reached::There),
             None => (0, 0),
-            Some(place) => match names().position(|name| name == place.stage) {
-                Some(stage) => (stage, place.cycles),
-                None => {
-                    return Ok(Reached::Nowhere(Refusal::new(
-                        format!("{} has no stage `{}`", self.scene.name, place.stage),
-                        nearest(&place.stage, names()),
-                    )));
-                }
+            Some(place) => match place.stage_of(&self.scene) {
+                Ok(stage) => (stage, place.cycles),
+                Err(refusal) => return Ok(Reached::Nowhere(refusal)),
             },
         };
         for turn in 0u64.. {

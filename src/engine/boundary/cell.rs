@@ -57,7 +57,7 @@ impl Cell {
 
     /// The image of the cell that a point is in.
     pub fn image(&self, x: [f64; 2]) -> Image {
-        self.fractions(x).map(|f| f.floor() as i16)
+        self.fractions(x).map(whole_below)
     }
 
     /// The same point in the cell itself [m].
@@ -103,6 +103,14 @@ impl Cell {
     }
 }
 
+/// The largest whole number that is not above: what the processor itself rounds to only with newer
+/// instructions.
+#[inline(always)]
+pub(in crate::engine) fn whole_below(fraction: f64) -> i16 {
+    let towards_nought = fraction as i16;
+    towards_nought.saturating_sub(i16::from(f64::from(towards_nought) > fraction))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -125,5 +133,28 @@ mod tests {
         let widths = cell.widths();
         assert!((widths[0] - 2.0 / 1.25f64.sqrt()).abs() < 1e-15);
         assert_eq!(widths[1], 1.0);
+    }
+
+    #[test]
+    fn whole_numbers_below_are_those_of_the_library() {
+        let least = f64::from(i16::MIN);
+        for x in [
+            0.0,
+            -0.0,
+            0.5,
+            -0.5,
+            1.0,
+            -1.0,
+            -1e-20,
+            7.999,
+            -7.001,
+            least,
+            least - 0.5,
+            1e9,
+            -1e9,
+            f64::NAN,
+        ] {
+            assert_eq!(whole_below(x), x.floor() as i16, "{x}");
+        }
     }
 }

@@ -4,7 +4,7 @@ use super::grid::{Grid, Spot};
 use super::near::sort_few;
 use super::partner::Partner;
 use super::party::{Party, Searcher};
-use crate::engine::boundary::cell::{Cell, HERE, Image};
+use crate::engine::boundary::cell::{Cell, HERE, Image, whole_below};
 use crate::engine::particles::Row;
 use crate::engine::threads::Threads;
 
@@ -34,7 +34,7 @@ impl Tiling {
         let widths = cell.widths();
         for (p, row) in rows.iter().enumerate() {
             let fractions = cell.fractions(row.x);
-            let strayed = fractions.map(floor);
+            let strayed = fractions.map(whole_below);
             self.strayed.push(strayed);
             let fractions = [0, 1].map(|k| fractions[k] - f64::from(strayed[k]));
             let margin = widths.map(|width| (row.radius + largest + tol) / width);
@@ -123,13 +123,6 @@ impl Tiling {
             }
         });
     }
-}
-
-/// The whole number below, which the processor alone rounds to only with newer instructions.
-#[inline(always)]
-fn floor(fraction: f64) -> i16 {
-    let towards_nought = fraction as i16;
-    towards_nought.saturating_sub(i16::from(f64::from(towards_nought) > fraction))
 }
 
 /// The place [m] at home of what has strayed to an image of the cell.
