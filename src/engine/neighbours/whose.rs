@@ -38,11 +38,15 @@ pub(in crate::engine) struct Whose {
     walls: Vec<u32>,
     /// What stands where there is no contact.
     nobody: u32,
+    /// Buffers: places that are taken of each kind, and those for whom there was none: twice the
+    /// particle and the kind, and the slot.
+    counts: [Vec<u8>; 2],
+    crowd: Vec<(u64, u32)>,
 }
 
 impl Whose {
     /// Bytes per particle.
-    pub(super) const BYTES: usize = size_of::<Places>();
+    pub(super) const BYTES: usize = size_of::<Places>() + 2 * size_of::<u8>();
 
     /// Notes the contacts of so many particles.
     ///
@@ -52,62 +56,64 @@ impl Whose {
         let contacts = (pairs.len() + walls.len()) as u32;
         assert!(contacts < MORE / NUMBERS, "too many contacts to number");
         self.nobody = contacts * NUMBERS;
-        self.make_room(particles, pairs);
-        for (k, pair) in (0..).zip(pairs) {
-            self.enter(k * NUMBERS, pair[1] as usize, 0);
-            self.enter(k * NUMBERS, pair[0] as usize, 1);
-        }
-        self.walls.clear();
-        if !walls.is_empty() {
-            self.walls.resize(particles + 1, 0);
-            for wall in walls {
-                self.walls[wall.particle as usize + 1] += 1;
-            }
-            self.walls[0] = pairs.len() as u32;
-            for p in 0..particles {
-                self.walls[p + 1] += self.walls[p];
-            }
-        }
-    }
-
-    /// Counts pairs first, in the first place of each kind.
-    fn make_room(&mut self, particles: usize, pairs: &[[u32; 2]]) {
         self.places.clear();
-        self.places.resize(particles, Places::default());
-        for &[i, j] in pairs {
-            self.places[i as usize][KINDS[1].start] += 1;
-            self.places[j as usize][KINDS[0].start] += 1;
+        self.places
+            .resize(particles, [self.nobody; PLACES[0] + PLACES[1]]);
+        for counts in &mut self.counts {
+            counts.clear();
+            counts.resize(particles, 0);
         }
-        self.more.clear();
+        self.crowd.clear();
         // So that a list made again seldom asks for memory.
-        self.more.reserve(particles);
-        for places in &mut self.places {
-            for kind in KINDS {
-                let places = &mut places[kind];
-                let (count, last) = (places[0] as usize, places.len() - 1);
-                places.fill(self.nobody);
-                if count > places.len() {
-                    places[last] = MORE | self.more.len() as u32;
-                    // As many as were noted so far, and then they.
-                    self.more.push(0);
-                    self.more
-                        .resize(self.more.len() + count - last, self.nobody);
-                }
-            }
+        self.crowd.reserve(particles);
+        for (k, &[i, j]) in (0..).zip(pairs) {
+            self.enter(k * NUMBERS, j, 0);
+            self.enter(k * NUMBERS, i, 1);
+        }
+        self.seat_crowd(particles);
+        self.note_walls(particles, pairs.len() as u32, walls);
+    }
+
+    #[inline(always)]
+    fn enter(&mut self, slot: u32, p: u32, kind: usize) {
+        let taken = &mut self.counts[kind][p as usize];
+        let free = usize::from(*taken);
+        if free < PLACES[kind] {
+            self.places[p as usize][KINDS[kind].start + free] = slot;
+            *taken += 1;
+        } else {
+            self.crowd.push((2 * u64::from(p) + kind as u64, slot));
         }
     }
 
-    fn enter(&mut self, slot: u32, p: usize, kind: usize) {
-        let places = &mut self.places[p][KINDS[kind].clone()];
-        if let Some(free) = places.iter().position(|&place| place == self.nobody) {
-            places[free] = slot;
+    /// Those for whom there was no place are noted elsewhere, with the last one that had a place.
+    fn seat_crowd(&mut self, particles: usize) {
+        self.more.clear();
+        self.more.reserve(particles);
+        self.crowd.sort_unstable();
+        for group in self.crowd.chunk_by(|a, b| a.0 == b.0) {
+            let (p, kind) = ((group[0].0 / 2) as usize, (group[0].0 % 2) as usize);
+            let last = &mut self.places[p][LASTS[kind]];
+            let at = self.more.len() as u32;
+            self.more.extend([1 + group.len() as u32, *last]);
+            self.more.extend(group.iter().map(|(_, slot)| *slot));
+            *last = MORE | at;
+        }
+    }
+
+    fn note_walls(&mut self, particles: usize, pairs: u32, walls: &[WallPair]) {
+        self.walls.clear();
+        if walls.is_empty() {
             return;
         }
-        let at =
-            others(places[places.len() - 1]).expect("there is a place for each that was counted");
-        let noted = self.more[at] as usize + 1;
-        self.more[at] = noted as u32;
-        self.more[at + noted] = slot;
+        self.walls.resize(particles + 1, 0);
+        for wall in walls {
+            self.walls[wall.particle as usize + 1] += 1;
+        }
+        self.walls[0] = pairs;
+        for p in 0..particles {
+            self.walls[p + 1] += self.walls[p];
+        }
     }
 
     /// Places of each particle.
