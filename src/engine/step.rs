@@ -8,6 +8,8 @@ use super::boundary::{Boundary, straining};
 use super::contact::pass::View;
 use super::fault::Fault;
 use super::motion::{self, Dragged, Inputs, Sums, Watch};
+use super::neighbours::list::ContactList;
+use super::neighbours::search::Sought;
 use super::neighbours::{Slot, Status};
 use super::particles::{Row, Sum};
 use super::phase::{Phase, passed};
@@ -247,8 +249,13 @@ impl World {
     fn make_list(&mut self, again: bool) {
         let mut pass = self.take_pass();
         let mut contacts = std::mem::take(&mut self.contacts);
-        let within = (self.cell(), self.tol);
-        let old = contacts.rebuild(&self.particles, &self.walls, within, &self.threads);
+        let sought = Sought {
+            tol: self.tol,
+            room: ContactList::room(self.particles.row.len())[0],
+            isa: self.isa,
+            threads: &self.threads,
+        };
+        let old = contacts.rebuild(&self.particles, &self.walls, self.cell(), sought);
         contacts.made = self.cycle;
         self.contacts = contacts;
         self.see();

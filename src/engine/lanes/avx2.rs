@@ -1,13 +1,14 @@
 //! Four lanes: AVX2.
 
 use std::arch::x86_64::{
-    __m256d, _CMP_EQ_OQ, _CMP_GE_OQ, _CMP_GT_OQ, _mm_loadu_pd, _mm256_add_pd, _mm256_and_pd,
-    _mm256_and_si256, _mm256_andnot_pd, _mm256_blend_pd, _mm256_blendv_pd, _mm256_castsi256_pd,
-    _mm256_cmp_pd, _mm256_cmpeq_epi64, _mm256_div_pd, _mm256_load_pd, _mm256_loadu_pd,
-    _mm256_max_pd, _mm256_min_pd, _mm256_movemask_pd, _mm256_mul_pd, _mm256_or_pd,
-    _mm256_permute_pd, _mm256_permute2f128_pd, _mm256_permute4x64_pd, _mm256_set_epi64x,
-    _mm256_set1_epi64x, _mm256_set1_pd, _mm256_sqrt_pd, _mm256_storeu_pd, _mm256_sub_pd,
-    _mm256_unpackhi_pd, _mm256_unpacklo_pd, _mm256_xor_pd, _mm256_zextpd128_pd256,
+    __m256d, _CMP_EQ_OQ, _CMP_GE_OQ, _CMP_GT_OQ, _mm_load_si128, _mm_loadu_pd, _mm_shuffle_epi8,
+    _mm_storeu_si128, _mm256_add_pd, _mm256_and_pd, _mm256_and_si256, _mm256_andnot_pd,
+    _mm256_blend_pd, _mm256_blendv_pd, _mm256_castsi256_pd, _mm256_cmp_pd, _mm256_cmpeq_epi64,
+    _mm256_cvttpd_epi32, _mm256_div_pd, _mm256_load_pd, _mm256_loadu_pd, _mm256_max_pd,
+    _mm256_min_pd, _mm256_movemask_pd, _mm256_mul_pd, _mm256_or_pd, _mm256_permute_pd,
+    _mm256_permute2f128_pd, _mm256_permute4x64_pd, _mm256_set_epi64x, _mm256_set1_epi64x,
+    _mm256_set1_pd, _mm256_sqrt_pd, _mm256_storeu_pd, _mm256_sub_pd, _mm256_unpackhi_pd,
+    _mm256_unpacklo_pd, _mm256_xor_pd, _mm256_zextpd128_pd256,
 };
 
 use super::{Lanes, Meeting, Quad, arithmetic, plain_members};
@@ -41,6 +42,32 @@ impl std::ops::Neg for Four {
         Self(unsafe { _mm256_xor_pd(self.0, _mm256_set1_pd(-0.0)) })
     }
 }
+
+/// The bytes of four whole numbers, those first that a mask chooses.
+#[repr(align(16))]
+struct Order([u8; 16]);
+
+/// For each mask of four.
+const CHOSEN: [Order; 16] = {
+    let mut orders = [const { Order([0; 16]) }; 16];
+    let mut bits = 0;
+    while bits < 16 {
+        let (mut lane, mut to) = (0, 0);
+        while lane < 4 {
+            if bits >> lane & 1 == 1 {
+                let mut byte = 0;
+                while byte < 4 {
+                    orders[bits].0[4 * to + byte] = (4 * lane + byte) as u8;
+                    byte += 1;
+                }
+                to += 1;
+            }
+            lane += 1;
+        }
+        bits += 1;
+    }
+    orders
+};
 
 /// Rows to columns, or back.
 #[inline(always)]
@@ -129,6 +156,19 @@ impl Lanes for Four {
             let set = _mm256_and_si256(_mm256_set1_epi64x(i64::from(bits)), lanes);
             Mask(_mm256_castsi256_pd(_mm256_cmpeq_epi64(set, lanes)))
         }
+    }
+
+    #[inline(always)]
+    unsafe fn pack(self, mask: Mask, to: *mut u32) -> usize {
+        let bits = Self::bits(mask);
+        unsafe {
+            let order = _mm_load_si128(CHOSEN[bits as usize].0.as_ptr().cast());
+            _mm_storeu_si128(
+                to.cast(),
+                _mm_shuffle_epi8(_mm256_cvttpd_epi32(self.0), order),
+            );
+        }
+        bits.count_ones() as usize
     }
 
     #[inline(always)]

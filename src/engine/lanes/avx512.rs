@@ -1,12 +1,13 @@
 //! Eight lanes: AVX-512.
 
 use std::arch::x86_64::{
-    __m512d, __mmask8, _CMP_EQ_OQ, _CMP_GE_OQ, _CMP_GT_OQ, _mm256_loadu_pd, _mm512_add_pd,
-    _mm512_and_pd, _mm512_andnot_pd, _mm512_castpd256_pd512, _mm512_cmp_pd_mask, _mm512_div_pd,
-    _mm512_insertf64x4, _mm512_load_pd, _mm512_loadu_pd, _mm512_mask_blend_pd, _mm512_max_pd,
-    _mm512_min_pd, _mm512_mul_pd, _mm512_or_pd, _mm512_permutex2var_pd, _mm512_set1_pd,
-    _mm512_setr_epi64, _mm512_setr_pd, _mm512_shuffle_f64x2, _mm512_sqrt_pd, _mm512_storeu_pd,
-    _mm512_sub_pd, _mm512_unpackhi_pd, _mm512_unpacklo_pd, _mm512_xor_pd,
+    __m512d, __mmask8, _CMP_EQ_OQ, _CMP_GE_OQ, _CMP_GT_OQ, _mm256_loadu_pd, _mm256_storeu_si256,
+    _mm512_add_pd, _mm512_and_pd, _mm512_andnot_pd, _mm512_castpd256_pd512, _mm512_cmp_pd_mask,
+    _mm512_cvttpd_epi32, _mm512_div_pd, _mm512_insertf64x4, _mm512_load_pd, _mm512_loadu_pd,
+    _mm512_mask_blend_pd, _mm512_maskz_compress_pd, _mm512_max_pd, _mm512_min_pd, _mm512_mul_pd,
+    _mm512_or_pd, _mm512_permutex2var_pd, _mm512_set1_pd, _mm512_setr_epi64, _mm512_setr_pd,
+    _mm512_shuffle_f64x2, _mm512_sqrt_pd, _mm512_storeu_pd, _mm512_sub_pd, _mm512_unpackhi_pd,
+    _mm512_unpacklo_pd, _mm512_xor_pd,
 };
 
 use super::{Lanes, Meeting, arithmetic, plain_members};
@@ -142,6 +143,15 @@ impl Lanes for Eight {
     #[inline(always)]
     fn mask(bits: u32) -> Mask {
         Mask(bits as u8)
+    }
+
+    #[inline(always)]
+    unsafe fn pack(self, mask: Mask, to: *mut u32) -> usize {
+        unsafe {
+            let chosen = _mm512_maskz_compress_pd(mask.0, self.0);
+            _mm256_storeu_si256(to.cast(), _mm512_cvttpd_epi32(chosen));
+        }
+        mask.0.count_ones() as usize
     }
 
     #[inline(always)]

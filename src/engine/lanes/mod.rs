@@ -84,6 +84,22 @@ pub trait Lanes:
     fn smaller(self, other: Self) -> Self;
     /// The mask as bits, lane 0 lowest.
     fn bits(mask: Self::Mask) -> u32;
+    /// Writes the numbers that the mask chooses one after another, as whole ones of less than 2³¹;
+    /// answers how many.
+    ///
+    /// # Safety
+    /// `COUNT` whole numbers must be writable there, however few are chosen.
+    #[inline(always)]
+    unsafe fn pack(self, mask: Self::Mask, to: *mut u32) -> usize {
+        let (numbers, bits) = (self.numbers(), Self::bits(mask));
+        let mut count = 0;
+        for (k, number) in numbers.into_iter().enumerate().take(Self::COUNT) {
+            // SAFETY: the caller's: no more were counted than there are lanes before this one.
+            unsafe { *to.add(count) = number as u32 };
+            count += (bits >> k & 1) as usize;
+        }
+        count
+    }
     /// What pairs of particles see of each other.
     ///
     /// # Safety

@@ -1,6 +1,9 @@
 //! What is kept for each contact follows the list to its new places, within its own buffer.
 
+use std::cmp::Ordering;
 use std::iter::{Enumerate, Peekable};
+
+use super::images::Images;
 
 /// No place in the old list.
 pub(in crate::engine) const NEW: u32 = u32::MAX;
@@ -43,6 +46,34 @@ pub(in crate::engine) fn carry<T: Copy>(
             items[k] = fresh(k);
         }
     }
+}
+
+/// Looks sorted new pairs and their images up among sorted old ones: notes the place of each there, or
+/// [`NEW`].
+pub(super) fn places(
+    (old, old_images): (&[[u32; 2]], &Images),
+    (new, new_images): (&[[u32; 2]], &Images),
+    noted: &mut Vec<u32>,
+) {
+    // Orders as the pair does.
+    let number = |pair: &[u32; 2]| u64::from(pair[0]) << 32 | u64::from(pair[1]);
+    let (mut old_images, mut new_images) = (old_images.ahead(), new_images.ahead());
+    let mut at = 0;
+    noted.extend(new.iter().enumerate().map(|(k, pair)| {
+        let wanted = number(pair);
+        while old.get(at).is_some_and(|pair| number(pair) < wanted) {
+            at += 1;
+        }
+        // In a small cell two bodies meet more than once.
+        while old.get(at) == Some(pair) {
+            match old_images.at(at).cmp(&new_images.at(k)) {
+                Ordering::Less => at += 1,
+                Ordering::Equal => return at as u32,
+                Ordering::Greater => break,
+            }
+        }
+        NEW
+    }));
 }
 
 /// Looks sorted new items up among sorted old ones.

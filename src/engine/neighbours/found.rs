@@ -36,8 +36,31 @@ impl Found {
         self.late.push((pair, image));
     }
 
-    /// Those of the first kind.
-    pub(super) fn in_order(&self) -> impl Iterator<Item = Meant> + '_ {
-        self.early.iter().copied().zip(self.images.each())
+    /// Takes in what somebody found behind it.
+    pub(super) fn append(&mut self, other: &mut Self) {
+        self.images.append(self.early.len(), &other.images);
+        self.early.extend_from_slice(&other.early);
+        self.late.append(&mut other.late);
+    }
+
+    /// Pairs whose second body looked take their places among the others, ascending.
+    pub(super) fn sort_in(&mut self, spare: &mut Self) {
+        if self.late.is_empty() {
+            return;
+        }
+        self.late.sort_unstable();
+        spare.clear();
+        spare.early.reserve(self.early.capacity());
+        let mut late = self.late.iter().copied().peekable();
+        for early in self.early.iter().copied().zip(self.images.each()) {
+            while let Some((pair, image)) = late.next_if(|late| *late < early) {
+                spare.early(pair, image);
+            }
+            spare.early(early.0, early.1);
+        }
+        late.for_each(|(pair, image)| spare.early(pair, image));
+        self.late.clear();
+        std::mem::swap(&mut self.early, &mut spare.early);
+        std::mem::swap(&mut self.images, &mut spare.images);
     }
 }

@@ -5,23 +5,32 @@
 //! its own level and on the coarser ones: a ball among sand, or sizes over three decades, cost hardly
 //! more than equal ones.
 
-use super::level::{BOXES_PER_PARTICLE, Level};
-use super::near::Near;
+use std::ops::{Range, RangeInclusive};
 
-/// A particle, or an image of one, in its box.
+use super::level::{BOXES_PER_PARTICLE, Level};
+use super::members::Members;
+use super::near::Near;
+use crate::engine::lanes::Lanes;
+
+/// A particle, or an image of one, for which there is a box.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Spot {
     /// Centre [m].
     pub(super) x: [f64; 2],
     /// Radius [m].
     pub(super) radius: f64,
-    /// Which one.
-    pub(super) index: u32,
+    /// Which box.
+    home: u32,
 }
 
 impl Spot {
+    pub(super) fn new(x: [f64; 2], radius: f64) -> Self {
+        let home = 0;
+        Self { x, radius, home }
+    }
+
     /// Whether the surfaces are nearer than `tol` [m].
-    #[inline(always)]
+    #[cfg(test)]
     pub(super) fn is_near(&self, other: &Self, tol: f64) -> bool {
         let d = [other.x[0] - self.x[0], other.x[1] - self.x[1]];
         let reach = self.radius + other.radius + tol;
@@ -42,8 +51,42 @@ pub(super) struct Grid {
     level: [u8; SIZES],
     /// First member of each box, one further on.
     starts: Vec<u32>,
-    /// Box by box, ascending within a box.
-    members: Vec<Spot>,
+    /// By number.
+    spots: Vec<Spot>,
+    /// Box by box.
+    members: Members,
+}
+
+/// What spots span.
+struct Bounds {
+    low: [f64; 2],
+    high: [f64; 2],
+    /// Smallest and largest radius [m].
+    radii: [f64; 2],
+    /// Sum of the squares of what each reaches [m²].
+    squares: f64,
+}
+
+impl Default for Bounds {
+    fn default() -> Self {
+        Self {
+            low: [f64::INFINITY; 2],
+            high: [f64::NEG_INFINITY; 2],
+            radii: [f64::INFINITY, 0.0],
+            squares: 0.0,
+        }
+    }
+}
+
+impl Bounds {
+    #[inline(always)]
+    fn take_in(&mut self, &Spot { x, radius, .. }: &Spot, tol: f64) {
+        self.low = [0, 1].map(|k| x[k].smaller(self.low[k]));
+        self.high = [0, 1].map(|k| x[k].larger(self.high[k]));
+        self.radii = [radius.smaller(self.radii[0]), radius.larger(self.radii[1])];
+        let reach = 2.0 * radius + tol;
+        self.squares += reach * reach;
+    }
 }
 
 /// More doublings of the size than this share the last level.
@@ -55,31 +98,34 @@ const SIZES: usize = 32;
 const ALIKE: f64 = 3.0;
 
 impl Grid {
-    /// Bytes per particle: its spot and room for the boxes it may be given.
-    pub(super) const BYTES: usize = size_of::<Spot>() + BOXES_PER_PARTICLE * size_of::<u32>();
+    /// Bytes per particle: its spot, in two orders, and room for the boxes it may be given.
+    pub(super) const BYTES: usize =
+        size_of::<Spot>() + Members::BYTES + BOXES_PER_PARTICLE * size_of::<u32>();
 
-    /// Bins so many spots, of which `spot` answers each; pairs nearer than `tol` [m] can then be found.
-    pub(super) fn fill(&mut self, count: usize, tol: f64, spot: impl Fn(usize) -> Spot) {
-        self.lay(count, tol, &spot);
+    /// Bins spots; pairs nearer than `tol` [m] can then be found.
+    pub(super) fn fill(&mut self, tol: f64, spots: impl Iterator<Item = Spot>) {
+        self.spots.clear();
+        let mut bounds = Bounds::default();
+        self.spots
+            .extend(spots.inspect(|spot| bounds.take_in(spot, tol)));
+        self.lay(tol, &bounds);
         let boxes = self.levels.last().map_or(0, Level::end);
         self.starts.clear();
         self.starts.resize(boxes + 2, 0);
-        for k in 0..count {
-            let home = self.home(&spot(k));
+        for k in 0..self.spots.len() {
+            let home = self.home(&self.spots[k]);
+            self.spots[k].home = home as u32;
             self.starts[home + 1] += 1;
         }
         for cell in 1..self.starts.len() {
             self.starts[cell] += self.starts[cell - 1];
         }
-        self.members.clear();
-        self.members.resize(count, Spot::default());
-        for k in (0..count).rev() {
+        self.members.make_room(self.spots.len());
+        for (k, spot) in self.spots.iter().enumerate().rev() {
             // Filled from the back: `starts` ends up at the beginning of each box.
-            let spot = spot(k);
-            let home = self.home(&spot);
-            let end = &mut self.starts[home + 1];
+            let end = &mut self.starts[spot.home as usize + 1];
             *end -= 1;
-            self.members[*end as usize] = spot;
+            self.members.put(*end as usize, spot, k as u32);
         }
     }
 
@@ -90,33 +136,21 @@ impl Grid {
     }
 
     /// Lays the levels.
-    fn lay(&mut self, count: usize, tol: f64, spot: &impl Fn(usize) -> Spot) {
-        let mut high = [f64::NEG_INFINITY; 2];
-        self.low = [f64::INFINITY; 2];
-        let (mut least, mut most, mut squares) = (f64::INFINITY, 0.0f64, 0.0);
-        for k in 0..count {
-            let Spot { x, radius, .. } = spot(k);
-            self.low = [self.low[0].min(x[0]), self.low[1].min(x[1])];
-            high = [high[0].max(x[0]), high[1].max(x[1])];
-            (least, most) = (least.min(radius), most.max(radius));
-            let reach = 2.0 * radius + tol;
-            squares += reach * reach;
-        }
-        let span = [high[0] - self.low[0], high[1] - self.low[1]];
-        (self.tol, self.least) = (tol, 2.0 * least + tol);
+    fn lay(&mut self, tol: f64, bounds: &Bounds) {
+        let count = self.spots.len();
+        let &Bounds { low, high, .. } = bounds;
+        let [least, most] = bounds.radii.map(|radius| 2.0 * radius + tol);
+        let span = [high[0] - low[0], high[1] - low[1]];
+        (self.low, self.tol, self.least) = (low, tol, least);
         self.levels.clear();
-        let reach = 2.0 * most + tol;
-        let alike = reach * reach * count as f64 <= ALIKE * squares;
-        if alike {
-            self.least = reach;
-        }
+        let alike = most * most * count as f64 <= ALIKE * bounds.squares;
         // How many there are of each size, and the largest radius among them.
         let mut sizes = [(0, 0.0f64); SIZES];
         if alike {
-            sizes[0] = (count, most);
+            self.least = most;
+            sizes[0] = (count, bounds.radii[1]);
         } else {
-            for k in 0..count {
-                let radius = spot(k).radius;
+            for &Spot { radius, .. } in &self.spots {
                 let size = &mut sizes[self.doublings(radius)];
                 *size = (size.0 + 1, size.1.max(radius));
             }
@@ -144,27 +178,44 @@ impl Grid {
 
     /// The level that particles of this radius [m] are on.
     #[inline(always)]
-    pub(super) fn level_of(&self, radius: f64) -> usize {
+    fn level_of(&self, radius: f64) -> usize {
         if self.levels.len() == 1 {
             return 0;
         }
         usize::from(self.level[self.doublings(radius)])
     }
 
-    /// Notes everything on a level that is nearer to a spot than `tol` [m] and has at least this index.
+    /// Notes for each of a few particles what is nearer to it than `tol` [m]: those after it on its own
+    /// level, where the other one looks, too, and all on coarser ones.
     #[inline(always)]
-    pub(super) fn gather(&self, level: usize, a: &Spot, least: u32, near: &mut Near) {
-        let level = &self.levels[level];
-        let [column, row] = level.place(self.low, a.x);
-        let columns = column.saturating_sub(1)..=(column + 1).min(level.columns - 1);
-        for y in row.saturating_sub(1)..=(row + 1).min(level.rows - 1) {
-            near.take(self.row(level, y, columns.clone()), |b| {
-                (b.index >= least) & a.is_near(b, self.tol)
-            });
+    pub(super) fn gather<V: Lanes>(&self, few: Range<usize>, near: &mut Near) {
+        near.begin();
+        for (k, p) in few.enumerate() {
+            let a = &self.spots[p];
+            let own = self.level_of(a.radius);
+            self.look::<V>(own, a, p as u32 + 1, near);
+            near.own_done(k);
+            for coarser in own + 1..self.levels.len() {
+                self.look::<V>(coarser, a, 0, near);
+            }
+            near.all_done(k);
         }
     }
 
-    /// Calls `near` with everything on a level whose box comes within `margin` [m] of a stretch of a
+    /// Notes everything on a level that is near a spot and has at least this index.
+    #[inline(always)]
+    fn look<V: Lanes>(&self, level: usize, a: &Spot, least: u32, near: &mut Near) {
+        let level = &self.levels[level];
+        let [column, row] = level.place(self.low, a.x);
+        let last = (column + level.aside).min(level.columns - 1);
+        let columns = column.saturating_sub(level.aside)..=last;
+        for y in row.saturating_sub(1)..=(row + 1).min(level.rows - 1) {
+            let places = self.row(level, y, columns.clone());
+            self.members.near::<V>(places, a, (self.tol, least), near);
+        }
+    }
+
+    /// Calls `near` with the index of everything on a level whose box comes within `margin` [m] of a stretch of a
     /// line, `ends` being the multiples of the direction at which it begins and ends.
     pub(super) fn along(
         &self,
@@ -172,7 +223,7 @@ impl Grid {
         [point, direction]: [[f64; 2]; 2],
         ends: [f64; 2],
         margin: f64,
-        mut near: impl FnMut(&Spot),
+        mut near: impl FnMut(usize),
     ) {
         level.along(
             self.low,
@@ -180,19 +231,20 @@ impl Grid {
             ends,
             margin,
             |row, columns| {
-                self.row(level, row, columns).iter().for_each(&mut near);
+                let places = self.row(level, row, columns);
+                self.members.indices(places).for_each(&mut near);
             },
         );
     }
 
-    /// The members of neighbouring boxes of a row.
+    /// Where the members of neighbouring boxes of a row are.
     #[inline(always)]
-    fn row(&self, level: &Level, row: usize, columns: std::ops::RangeInclusive<usize>) -> &[Spot] {
+    fn row(&self, level: &Level, row: usize, columns: RangeInclusive<usize>) -> Range<usize> {
         let first = level.first + row * level.columns;
         let from = self.starts[first + columns.start() + 1] as usize;
         // The box after the last one of a level is the first of the next.
         let to = self.starts.get(first + columns.end() + 2);
-        &self.members[from..to.map_or(self.members.len(), |to| *to as usize)]
+        from..to.map_or(self.members.len(), |to| *to as usize)
     }
 }
 
@@ -206,11 +258,11 @@ mod tests {
             .flat_map(|&(count, radius)| std::iter::repeat_n(radius, count))
             .collect();
         let mut grid = Grid::default();
-        grid.fill(radii.len(), 0.01, |k| Spot {
-            x: [k as f64, 0.0],
-            radius: radii[k],
-            index: k as u32,
-        });
+        let spots = radii.iter().enumerate();
+        grid.fill(
+            0.01,
+            spots.map(|(k, &radius)| Spot::new([k as f64, 0.0], radius)),
+        );
         grid.levels.len()
     }
 

@@ -1,5 +1,7 @@
 //! Which image of its second body each pair means.
 
+use std::cmp::Ordering;
+
 use serde::{Deserialize, Serialize};
 
 use crate::engine::boundary::cell::{HERE, Image};
@@ -34,6 +36,20 @@ impl Images {
         })
     }
 
+    /// Those of pairs that are asked for in ascending order.
+    pub(super) fn ahead(&self) -> Ahead<'_> {
+        Ahead(&self.0)
+    }
+
+    /// Adds those of further pairs, the first of which is pair k.
+    pub(super) fn append(&mut self, k: usize, others: &Self) {
+        let moved = others
+            .0
+            .iter()
+            .map(|&(pair, image)| (pair + k as u32, image));
+        self.0.extend(moved);
+    }
+
     /// Pairs that reach over an edge, ascending, and the image of each.
     pub(in crate::engine) fn beyond(&self) -> impl Iterator<Item = (usize, Image)> + '_ {
         self.0.iter().map(|&(k, image)| (k as usize, image))
@@ -52,6 +68,24 @@ impl Images {
     /// Whether they are those of so many pairs.
     pub(super) fn fit(&self, pairs: usize) -> bool {
         self.0.is_sorted_by(|a, b| a.0 < b.0) && self.0.iter().all(|(k, _)| (*k as usize) < pairs)
+    }
+}
+
+/// The images of pairs that have not been passed.
+pub(super) struct Ahead<'a>(&'a [(u32, Image)]);
+
+impl Ahead<'_> {
+    /// That of pair k, which is not before the last one asked for.
+    #[inline(always)]
+    pub(super) fn at(&mut self, k: usize) -> Image {
+        while let Some((&(pair, image), others)) = self.0.split_first() {
+            match (pair as usize).cmp(&k) {
+                Ordering::Less => self.0 = others,
+                Ordering::Equal => return image,
+                Ordering::Greater => break,
+            }
+        }
+        HERE
     }
 }
 

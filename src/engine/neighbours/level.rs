@@ -2,15 +2,17 @@
 
 use std::ops::RangeInclusive;
 
-/// Boxes of one width, row by row.
+/// Boxes of one width, row by row: as high as the largest reach, and a share of that wide.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Level {
     /// Number of its first box.
     pub(super) first: usize,
-    /// Width of a box [m].
+    /// Height of a box [m].
     size: f64,
     /// Boxes per metre.
-    per_metre: f64,
+    per_metre: [f64; 2],
+    /// Boxes to either side in which neighbours may be.
+    pub(super) aside: usize,
     pub(super) columns: usize,
     pub(super) rows: usize,
     /// Largest radius on it [m].
@@ -20,6 +22,10 @@ pub(super) struct Level {
 /// At most so many boxes per particle: far-flung assemblies get larger boxes.
 pub(super) const BOXES_PER_PARTICLE: usize = 2;
 
+/// Boxes for a height, where there may be as many: boxes of a row lie one after another, so that to look at
+/// narrow ones costs nothing and leaves less that is looked at in vain.
+const NARROW: usize = 4;
+
 /// Boxes are wider than they must be by this share, more than rounding can move a centre.
 const SPARE: f64 = 1e-6;
 
@@ -27,17 +33,25 @@ impl Level {
     /// Boxes over a rectangle of this span [m] for so many particles of up to this radius [m] that
     /// are neighbours within `tol` [m].
     pub(super) fn new(first: usize, span: [f64; 2], count: usize, largest: f64, tol: f64) -> Self {
-        let mut size = (2.0 * largest + tol) * (1.0 + SPARE);
+        let least = (2.0 * largest + tol) * (1.0 + SPARE);
         let limit = Self::limit(count) as f64;
-        while (span[0] / size + 1.0) * (span[1] / size + 1.0) > limit {
+        let too_many = |size: f64, aside: usize| {
+            let columns = span[0] / size * aside as f64 + 1.0;
+            columns * (span[1] / size + 1.0) > limit
+        };
+        let mut size = least;
+        let aside = if too_many(size, NARROW) { 1 } else { NARROW };
+        while too_many(size, aside) {
             size *= 1.25;
         }
+        let per_metre = [aside as f64 / size, 1.0 / size];
         Self {
             first,
             size,
-            per_metre: 1.0 / size,
-            columns: (span[0] / size) as usize + 1,
-            rows: (span[1] / size) as usize + 1,
+            per_metre,
+            aside,
+            columns: (span[0] * per_metre[0]) as usize + 1,
+            rows: (span[1] * per_metre[1]) as usize + 1,
             largest,
         }
     }
@@ -61,7 +75,7 @@ impl Level {
     pub(super) fn place(&self, low: [f64; 2], x: [f64; 2]) -> [usize; 2] {
         let along = |k: usize, count: usize| {
             // A float below zero becomes zero, one too large the largest number.
-            (((x[k] - low[k]) * self.per_metre) as usize).min(count - 1)
+            (((x[k] - low[k]) * self.per_metre[k]) as usize).min(count - 1)
         };
         [along(0, self.columns), along(1, self.rows)]
     }
@@ -115,7 +129,8 @@ impl Level {
                 }
             }
             let [left, right] = span(within, 0);
-            if right < low[0] || left > low[0] + self.columns as f64 * self.size {
+            if right < low[0] || left > low[0] + self.columns as f64 * self.size / self.aside as f64
+            {
                 continue;
             }
             let [left, right] = [left, right].map(|x| self.place(low, [x, low[1]])[0]);

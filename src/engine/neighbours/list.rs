@@ -2,18 +2,18 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::carry::{NEW, Walk, carry};
+use super::carry::{NEW, Walk, carry, places};
 use super::grid::Grid;
 use super::images::Images;
 use super::party::Party;
 use super::periodic::Tiling;
-use super::search;
+use super::search::{self, Sought};
 use super::skin::Use;
 use super::whose::Whose;
 use super::{Slot, Status};
 use crate::engine::boundary::cell::Cell;
+use crate::engine::lanes::Lanes;
 use crate::engine::particles::{Particles, Row};
-use crate::engine::threads::Threads;
 use crate::engine::wall::Wall;
 use crate::engine::wall_contact::{WallPair, WallTouch};
 
@@ -91,50 +91,54 @@ impl ContactList {
         [3 * particles + 8, particles / 2 + 16]
     }
 
-    /// Makes the list anew: everything nearer than `tol` [m]. Answers where each contact stood in
+    /// Makes the list anew: everything that is sought. Answers where each contact stood in
     /// the old list, in a buffer to be given back.
-    pub fn rebuild(
+    pub(in crate::engine) fn rebuild(
         &mut self,
         particles: &Particles,
         walls: &[Wall],
-        (cell, tol): (Option<&Cell>, f64),
-        threads: &Threads,
+        cell: Option<&Cell>,
+        sought: Sought<'_>,
     ) -> Vec<u32> {
         let rows = &particles.row;
-        let (mut largest, mut sum) = (0.0f64, 0.0);
-        for &Row { radius, .. } in rows {
-            largest = largest.max(radius);
-            sum += radius;
-        }
+        let (mut largest, mut smallest, mut sum) = (0.0, f64::INFINITY, 0.0);
+        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        self.reference.clear();
+        self.reference
+            .extend(rows.iter().map(|&Row { x, radius, .. }| {
+                (largest, smallest) = (radius.larger(largest), radius.smaller(smallest));
+                sum += radius;
+                low = [0, 1].map(|k| x[k].smaller(low[k]));
+                high = [0, 1].map(|k| x[k].larger(high[k]));
+                x
+            }));
         let work = &mut self.work;
         let [pairs, at_walls] = Self::room(rows.len());
+        let Sought { tol, .. } = sought;
         work.walls.clear();
         work.walls.reserve(at_walls);
-        let (grid, party, within) = (&mut work.grid, &mut work.party, (tol, pairs));
+        let (grid, party) = (&mut work.grid, &mut work.party);
         // In a periodic cell the boxes have what strayed at home.
         let boxes = match cell {
             None => {
-                search::pairs(grid, rows, within, party, threads);
+                search::pairs(grid, rows, sought, party);
                 Some(&*grid)
             }
             Some(cell) => {
                 let all = (&**rows, cell);
-                work.tiling.pairs(grid, all, within, party, threads);
+                work.tiling.pairs(grid, all, sought, party);
                 None
             }
         };
         search::wall_pairs(boxes, rows, walls, tol, &mut work.walls);
         self.carry_over([pairs, at_walls]);
         self.whose.note(rows.len(), &self.pairs, &self.walls);
-        self.reference.clear();
-        self.reference.extend(rows.iter().map(|row| row.x));
         self.travel = 0.0;
         self.wall_travel = 0.0;
         self.stretch = 0.0;
         self.reach = 2.0 * largest + tol;
-        self.smallest = particles.smallest_radius();
+        self.smallest = smallest;
         self.radius = sum / rows.len() as f64;
-        let [low, high] = particles.extent();
         let margin = largest + 2.0 * tol;
         let [low, high] = [low.map(|x| x - margin), high.map(|x| x + margin)];
         self.span = [low, high];
@@ -153,9 +157,9 @@ impl ContactList {
         let work = &mut self.work;
         work.old.clear();
         work.old.reserve(pairs + at_walls);
-        let mut known = Walk::along(self.pairs.iter().copied().zip(self.images.each()));
-        work.party.each(|pair| work.old.push(known.place(&pair)));
-        drop(known);
+        let found = work.party.found();
+        let before = (&*self.pairs, &self.images);
+        places(before, (&found.early, &found.images), &mut work.old);
         let from = work.old.len();
         let bodies = |at: &WallPair| [at.particle, at.wall];
         let mut known = Walk::along(self.walls.iter().map(bodies));
@@ -178,13 +182,8 @@ impl ContactList {
         carry(&mut self.slots, &work.old, 0, room + 1, |_| Slot::default());
         self.slots.push(Slot::default());
         carry(&mut self.status, &work.old, 0, room, |_| Status::default());
-        self.pairs.clear();
-        self.pairs.reserve(pairs.max(work.party.count()));
-        self.images.clear();
-        work.party.each(|(pair, image)| {
-            self.images.push(self.pairs.len(), image);
-            self.pairs.push(pair);
-        });
+        std::mem::swap(&mut self.pairs, &mut found.early);
+        std::mem::swap(&mut self.images, &mut found.images);
         std::mem::swap(&mut self.walls, &mut work.walls);
     }
 

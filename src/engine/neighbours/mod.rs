@@ -9,11 +9,12 @@ mod grid;
 pub(super) mod images;
 mod level;
 pub mod list;
+mod members;
 mod near;
 mod partner;
 mod party;
 mod periodic;
-mod search;
+pub(super) mod search;
 pub(super) mod skin;
 pub(super) mod whose;
 

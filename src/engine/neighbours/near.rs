@@ -1,77 +1,127 @@
-//! What one particle found, in the order of its partners. Neither noting nor sorting branches on what
-//! cannot be foretold: half of all that is looked at is near.
+//! What a few particles found. Noting and sorting hardly branch on what cannot be foretold, and
+//! sorting waits until all of them have noted: a wrong guess then costs no search.
 
-use super::grid::Spot;
+use std::ops::Range;
 
-/// Those near a particle. The buffer is kept between particles.
+use super::members::SPARE;
+
+/// So many particles look one after another.
+pub(super) const FEW: usize = 32;
+
+/// Those near some particles. The buffer is kept between them.
 #[derive(Debug, Default)]
 pub(super) struct Near {
     /// The first `len` count.
     items: Vec<u32>,
     len: usize,
+    /// Where those of each particle end: those on its own level, and all.
+    ends: [[u32; 2]; FEW],
 }
 
 impl Near {
-    pub(super) fn clear(&mut self) {
+    /// The first of a few begins to look.
+    #[inline(always)]
+    pub(super) fn begin(&mut self) {
         self.len = 0;
     }
 
-    /// Notes those that are near.
+    /// The k-th of them has looked on its own level, and so far nowhere else.
     #[inline(always)]
-    pub(super) fn take(&mut self, spots: &[Spot], is_near: impl Fn(&Spot) -> bool) {
-        let most = self.len + spots.len();
+    pub(super) fn own_done(&mut self, k: usize) {
+        self.ends[k] = [self.len as u32; 2];
+    }
+
+    /// It has looked everywhere.
+    #[inline(always)]
+    pub(super) fn all_done(&mut self, k: usize) {
+        self.ends[k][1] = self.len as u32;
+    }
+
+    /// What the k-th found, and how many of it on its own level.
+    #[inline(always)]
+    pub(super) fn of(&mut self, k: usize) -> (&mut [u32], usize) {
+        let from = if k == 0 { 0 } else { self.ends[k - 1][1] } as usize;
+        let [own, end] = self.ends[k].map(|end| end as usize);
+        (&mut self.items[from..end], own - from)
+    }
+
+    /// Makes room for so many more, and for as many beyond as are noted at once. Answers how many are
+    /// noted.
+    #[inline(always)]
+    pub(super) fn room(&mut self, more: usize) -> usize {
+        let most = self.len + more + SPARE;
         if self.items.len() < most {
             self.items.resize(2 * most.max(LEAST), 0);
         }
-        let items = &mut self.items[self.len..most];
-        let mut noted = 0;
-        for spot in spots {
-            items[noted] = spot.index;
-            noted += usize::from(is_near(spot));
-        }
-        self.len += noted;
+        self.len
     }
 
-    /// The indices noted.
-    pub(super) fn indices(&self) -> &[u32] {
-        &self.items[..self.len]
+    /// Where the next one is noted when so many are.
+    #[inline(always)]
+    pub(super) fn after(&mut self, noted: usize) -> *mut u32 {
+        self.items.as_mut_ptr().wrapping_add(noted)
     }
 
-    /// Keeps only some of those noted after the first few.
-    pub(super) fn retain_from(&mut self, first: usize, mut keep: impl FnMut(u32) -> bool) {
-        let mut kept = first;
-        for k in first..self.len {
-            let item = self.items[k];
-            self.items[kept] = item;
-            kept += usize::from(keep(item));
-        }
-        self.len = kept;
+    /// So many are noted now.
+    #[inline(always)]
+    pub(super) fn note(&mut self, noted: usize) {
+        self.len = noted;
     }
+}
 
-    /// The same, to be sorted.
-    pub(super) fn indices_mut(&mut self) -> &mut [u32] {
-        &mut self.items[..self.len]
-    }
+/// A stretch a few at a time.
+pub(super) fn by_few(stretch: Range<usize>) -> impl Iterator<Item = Range<usize>> {
+    let end = stretch.end;
+    stretch
+        .step_by(FEW)
+        .map(move |from| from..end.min(from + FEW))
 }
 
 /// Room from the beginning.
 const LEAST: usize = 64;
 
-/// Up to so many are sorted by counting how many are less.
-const FEW: usize = 12;
+/// Exchanges that sort four and eight numbers, whatever they are.
+const OF_FOUR: [[usize; 2]; 5] = [[0, 1], [2, 3], [0, 2], [1, 3], [1, 2]];
+const OF_EIGHT: [[usize; 2]; 19] = [
+    [0, 2],
+    [1, 3],
+    [4, 6],
+    [5, 7],
+    [0, 4],
+    [1, 5],
+    [2, 6],
+    [3, 7],
+    [0, 1],
+    [2, 3],
+    [4, 5],
+    [6, 7],
+    [2, 4],
+    [3, 5],
+    [1, 4],
+    [3, 6],
+    [1, 2],
+    [3, 4],
+    [5, 6],
+];
 
-/// Sorts what differs, ascending.
+/// Sorts what differs, ascending; nothing is above `most`.
 #[inline(always)]
-pub(super) fn sort_few<T: Ord + Copy + Default>(items: &mut [T]) {
-    if items.len() > FEW {
-        return items.sort_unstable();
+pub(super) fn sort_few<T: Ord + Copy>(items: &mut [T], most: T) {
+    match items.len() {
+        0 | 1 => {}
+        2..=4 => exchange(items, [most; 4], &OF_FOUR),
+        5..=8 => exchange(items, [most; 8], &OF_EIGHT),
+        _ => items.sort_unstable(),
     }
-    let mut sorted = [T::default(); FEW];
-    for item in items.iter() {
-        let less: usize = items.iter().map(|other| usize::from(other < item)).sum();
-        sorted[less] = *item;
+}
+
+#[inline(always)]
+fn exchange<T: Ord + Copy, const N: usize>(items: &mut [T], mut few: [T; N], by: &[[usize; 2]]) {
+    few[..items.len()].copy_from_slice(items);
+    for &[low, high] in by {
+        (few[low], few[high]) = (few[low].min(few[high]), few[low].max(few[high]));
     }
-    items.copy_from_slice(&sorted[..items.len()]);
+    items.copy_from_slice(&few[..items.len()]);
 }
 
 #[cfg(test)]
@@ -85,7 +135,7 @@ mod tests {
             let mut items: Vec<u32> = items.into_iter().collect();
             let mut sorted = items.clone();
             sorted.sort_unstable();
-            sort_few(&mut items);
+            sort_few(&mut items, u32::MAX);
             prop_assert_eq!(items, sorted);
         }
     }

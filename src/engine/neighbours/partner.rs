@@ -10,6 +10,9 @@ pub(super) struct Partner(u64);
 const SIGN: u16 = 1 << 15;
 
 impl Partner {
+    /// Above all that there are.
+    pub(super) const MOST: Self = Self(u64::MAX);
+
     #[inline(always)]
     pub(super) fn new(body: u32, image: Image) -> Self {
         let [n, m] = image.map(|n| u64::from(n as u16 ^ SIGN));

@@ -1,13 +1,24 @@
 //! A search that several threads share: each looks around a stretch of the particles.
+#![allow(
+    unsafe_code,
+    reason = "enters functions for instructions that the processor was asked for"
+)]
 
-use super::found::{Found, Meant};
+use super::found::Found;
 use super::near::Near;
 use super::partner::Partner;
-use crate::engine::threads::{Threads, share};
+use super::search::Sought;
+#[cfg(target_arch = "x86_64")]
+use crate::engine::lanes::{Eight, Four};
+use crate::engine::lanes::{Isa, Lanes, Scalars};
+use crate::engine::threads::share;
 
-/// Who searches, and what they found: the first one has all that was found by second bodies.
+/// Who searches, and what they found: in the end the first one has it all.
 #[derive(Debug, Default)]
-pub(super) struct Party(Vec<Searcher>);
+pub(super) struct Party {
+    searchers: Vec<Searcher>,
+    spare: Found,
+}
 
 /// One who searches.
 #[derive(Debug, Default)]
@@ -19,25 +30,57 @@ pub(super) struct Searcher {
     pub(super) found: Found,
 }
 
+/// How to look around the particles of a stretch.
+pub(super) trait Look: Sync {
+    /// In lanes of this kind.
+    fn look<V: Lanes>(&self, searcher: &mut Searcher);
+}
+
+fn by_isa(isa: Isa, look: &impl Look, searcher: &mut Searcher) {
+    #[cfg(target_arch = "x86_64")]
+    if isa > Isa::Baseline && isa.is_here() {
+        // SAFETY: the processor has it.
+        return unsafe {
+            match isa {
+                Isa::Avx512 => with_eight(look, searcher),
+                _ => with_four(look, searcher),
+            }
+        };
+    }
+    look.look::<Scalars>(searcher);
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,popcnt")]
+fn with_eight(look: &impl Look, searcher: &mut Searcher) {
+    look.look::<Eight>(searcher);
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2,popcnt")]
+fn with_four(look: &impl Look, searcher: &mut Searcher) {
+    look.look::<Four>(searcher);
+}
+
 impl Party {
-    /// Looks around so many particles; room is kept for so many pairs. `late`: some particles find
-    /// what comes before them.
+    /// Looks around so many particles. `late`: some particles find what comes before them.
     pub(super) fn search(
         &mut self,
         particles: usize,
-        room: usize,
         late: bool,
-        threads: &Threads,
-        look: impl Fn(&mut Searcher) + Sync,
+        Sought {
+            room, isa, threads, ..
+        }: Sought<'_>,
+        look: &impl Look,
     ) {
         let parts = threads.parts(particles);
-        if self.0.len() < parts {
-            self.0.resize_with(parts, Searcher::default);
+        if self.searchers.len() < parts {
+            self.searchers.resize_with(parts, Searcher::default);
         }
-        for searcher in &mut self.0 {
+        for searcher in &mut self.searchers {
             searcher.found.clear();
         }
-        for (part, searcher) in self.0.iter_mut().enumerate().take(parts) {
+        for (part, searcher) in self.searchers.iter_mut().enumerate().take(parts) {
             searcher.stretch = share(particles, parts, part);
             // Sizes and numbers decide who finds how many; what is not needed is not touched.
             searcher.found.early.reserve(room);
@@ -45,35 +88,22 @@ impl Party {
                 searcher.found.late.reserve(room);
             }
         }
-        threads.run(&mut self.0[..parts], look);
-        if let Some((first, others)) = self.0.split_first_mut() {
-            let all = &mut first.found.late;
+        threads.run(&mut self.searchers[..parts], |searcher| {
+            by_isa(isa, look, searcher)
+        });
+        if let Some((first, others)) = self.searchers.split_first_mut() {
             for other in others {
-                all.extend_from_slice(&other.found.late);
+                first.found.append(&mut other.found);
             }
-            all.sort_unstable();
+            first.found.sort_in(&mut self.spare);
         }
     }
 
-    /// Number of pairs found.
-    pub(super) fn count(&self) -> usize {
-        let late = self.0.first().map_or(0, |first| first.found.late.len());
-        let early = self.0.iter().map(|searcher| searcher.found.early.len());
-        early.sum::<usize>() + late
-    }
-
-    /// Hands over all pairs, ascending.
-    pub(super) fn each(&self, mut take: impl FnMut(Meant)) {
-        let late = self.0.first().map_or(&[][..], |first| &first.found.late);
-        let mut late = late.iter().copied().peekable();
-        for searcher in &self.0 {
-            for early in searcher.found.in_order() {
-                while let Some(before) = late.next_if(|late| *late < early) {
-                    take(before);
-                }
-                take(early);
-            }
+    /// All that was found: pairs, ascending, and their images.
+    pub(super) fn found(&mut self) -> &mut Found {
+        if self.searchers.is_empty() {
+            self.searchers.push(Searcher::default());
         }
-        late.for_each(take);
+        &mut self.searchers[0].found
     }
 }

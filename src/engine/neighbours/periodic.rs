@@ -1,12 +1,13 @@
 //! The pairs of a periodic cell: every particle at home with the images of all others around it.
 
 use super::grid::{Grid, Spot};
-use super::near::sort_few;
+use super::near::{by_few, sort_few};
 use super::partner::Partner;
-use super::party::{Party, Searcher};
+use super::party::{Look, Party, Searcher};
+use super::search::Sought;
 use crate::engine::boundary::cell::{Cell, HERE, Image, whole_below};
+use crate::engine::lanes::Lanes;
 use crate::engine::particles::Row;
-use crate::engine::threads::Threads;
 
 /// Which particles have left the cell, and which images of them are near it. Buffers are kept between
 /// searches.
@@ -62,66 +63,89 @@ impl Tiling {
         &mut self,
         grid: &mut Grid,
         (rows, cell): (&[Row], &Cell),
-        (tol, room): (f64, usize),
+        sought: Sought<'_>,
         party: &mut Party,
-        threads: &Threads,
     ) {
-        self.lay(cell, rows, tol);
-        let Self { images, strayed } = self;
-        // Particle and shift from home of what is in the boxes.
-        let meant = |k: u32| {
-            let image = (k as usize).checked_sub(rows.len());
-            image.map_or((k, HERE), |image| images[image])
+        self.lay(cell, rows, sought.tol);
+        let at = Tiled {
+            rows,
+            cell,
+            tiling: self,
         };
-        let spot = |k: usize| {
-            let (p, image) = meant(k as u32);
-            let Row { x, radius, .. } = rows[p as usize];
-            let home = brought_home(cell, x, strayed[p as usize]);
-            let shift = cell.shift(image);
-            Spot {
-                x: [home[0] + shift[0], home[1] + shift[1]],
-                radius,
-                index: k as u32,
-            }
-        };
-        grid.fill(rows.len() + images.len(), tol, spot);
-        let levels = grid.levels.len();
-        party.search(rows.len(), room, levels > 1, threads, |searcher| {
-            let Searcher {
-                stretch,
-                near,
-                partners,
-                found,
-            } = searcher;
-            for p in stretch.clone() {
-                let (a, home) = (spot(p), strayed[p]);
+        let count = rows.len() + self.images.len();
+        grid.fill(sought.tol, (0..count).map(|k| at.spot(k)));
+        let late = grid.levels.len() > 1;
+        party.search(rows.len(), late, sought, &Around { grid, at });
+    }
+}
+
+/// Particles at home, and behind them the images around.
+#[derive(Clone, Copy)]
+struct Tiled<'a> {
+    rows: &'a [Row],
+    cell: &'a Cell,
+    tiling: &'a Tiling,
+}
+
+impl Tiled<'_> {
+    /// Particle and shift from home of what is in the boxes.
+    #[inline(always)]
+    fn meant(&self, k: u32) -> (u32, Image) {
+        let image = (k as usize).checked_sub(self.rows.len());
+        image.map_or((k, HERE), |image| self.tiling.images[image])
+    }
+
+    #[inline(always)]
+    fn spot(&self, k: usize) -> Spot {
+        let (p, image) = self.meant(k as u32);
+        let Row { x, radius, .. } = self.rows[p as usize];
+        let home = brought_home(self.cell, x, self.tiling.strayed[p as usize]);
+        let shift = self.cell.shift(image);
+        Spot::new([home[0] + shift[0], home[1] + shift[1]], radius)
+    }
+}
+
+/// Looks around particles at home.
+struct Around<'a> {
+    grid: &'a Grid,
+    at: Tiled<'a>,
+}
+
+impl Look for Around<'_> {
+    #[inline(always)]
+    fn look<V: Lanes>(&self, searcher: &mut Searcher) {
+        let strayed = &self.at.tiling.strayed;
+        let Searcher {
+            stretch,
+            near,
+            partners,
+            found,
+        } = searcher;
+        for few in by_few(stretch.clone()) {
+            self.grid.gather::<V>(few.clone(), near);
+            for (k, p) in few.enumerate() {
+                let (near, own) = near.of(k);
+                let (home, p) = (strayed[p], p as u32);
                 partners.clear();
-                let own = grid.level_of(a.radius);
-                for level in own..levels {
-                    near.clear();
-                    // On the own level the other one looks, too.
-                    let least = if level > own { 0 } else { a.index + 1 };
-                    grid.gather(level, &a, least, near);
-                    for &k in near.indices() {
-                        let (j, shift) = meant(k);
-                        let away = strayed[j as usize];
-                        let image = [0, 1].map(|k| shift[k] - away[k] + home[k]);
-                        // A particle and its own image meet in two places that are one contact.
-                        if level > own || a.index < j || (a.index == j && image > HERE) {
-                            partners.push(Partner::new(j, image));
-                        }
+                for (n, &k) in near.iter().enumerate() {
+                    let (j, shift) = self.at.meant(k);
+                    let away = strayed[j as usize];
+                    let image = [0, 1].map(|k| shift[k] - away[k] + home[k]);
+                    // A particle and its own image meet in two places that are one contact.
+                    if n >= own || p < j || (p == j && image > HERE) {
+                        partners.push(Partner::new(j, image));
                     }
                 }
-                sort_few(partners);
+                sort_few(partners, Partner::MOST);
                 for (j, image) in partners.iter().map(|partner| partner.meant()) {
-                    if j < a.index {
-                        found.late([j, a.index], image.map(|n| -n));
+                    if j < p {
+                        found.late([j, p], image.map(|n| -n));
                     } else {
-                        found.early([a.index, j], image);
+                        found.early([p, j], image);
                     }
                 }
             }
-        });
+        }
     }
 }
 
@@ -138,6 +162,8 @@ fn brought_home(cell: &Cell, x: [f64; 2], strayed: Image) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::engine::lanes::Isa;
+    use crate::engine::threads::Threads;
     use proptest::prelude::*;
 
     proptest! {
@@ -158,9 +184,10 @@ mod tests {
             let rows: Vec<Row> = points.iter().map(row).collect();
             let mut party = Party::default();
             let (mut tiling, mut grid) = (Tiling::default(), Grid::default());
-            for _ in 0..2 {
-                let threads = Threads::default();
-                tiling.pairs(&mut grid, (&rows, &cell), (0.05, 0), &mut party, &threads);
+            for isa in Isa::ALL.into_iter().filter(|isa| isa.is_here()) {
+                let threads = &Threads::default();
+                let sought = Sought { tol: 0.05, room: 0, isa, threads };
+                tiling.pairs(&mut grid, (&rows, &cell), sought, &mut party);
             }
             let mut all = Vec::new();
             for i in 0..rows.len() {
@@ -178,8 +205,8 @@ mod tests {
                     }
                 }
             }
-            let mut found = Vec::new();
-            party.each(|pair| found.push(pair));
+            let found = party.found();
+            let found: Vec<_> = found.early.iter().copied().zip(found.images.each()).collect();
             prop_assert_eq!(found, all);
         }
     }

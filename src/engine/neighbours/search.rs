@@ -1,65 +1,66 @@
 //! The search itself: pairs of particles, and pairs of particle and wall, within TOL.
 
 use super::grid::{Grid, Spot};
-use super::near::sort_few;
-use super::party::{Party, Searcher};
+use super::near::{by_few, sort_few};
+use super::party::{Look, Party, Searcher};
 use crate::engine::boundary::cell::HERE;
+use crate::engine::lanes::{Isa, Lanes};
 use crate::engine::particles::Row;
 use crate::engine::threads::Threads;
 use crate::engine::wall::Wall;
 use crate::engine::wall_contact::{self, WallPair};
 
-/// A particle as the boxes know it.
-#[inline(always)]
-fn spot(rows: &[Row], p: usize) -> Spot {
-    let Row { x, radius, .. } = rows[p];
-    Spot {
-        x,
-        radius,
-        index: p as u32,
-    }
+/// What is sought, and by whom.
+#[derive(Clone, Copy)]
+pub(in crate::engine) struct Sought<'a> {
+    /// Whoever is nearer than this [m].
+    pub(in crate::engine) tol: f64,
+    /// Room is kept for so many pairs.
+    pub(in crate::engine) room: usize,
+    pub(in crate::engine) isa: Isa,
+    pub(in crate::engine) threads: &'a Threads,
 }
 
-/// Finds each pair nearer than `tol` [m]; leaves the boxes filled.
-pub(super) fn pairs(
-    grid: &mut Grid,
-    rows: &[Row],
-    (tol, room): (f64, usize),
-    party: &mut Party,
-    threads: &Threads,
-) {
-    grid.fill(rows.len(), tol, |p| spot(rows, p));
-    let levels = grid.levels.len();
-    party.search(rows.len(), room, levels > 1, threads, |searcher| {
+/// Finds each pair that is sought; leaves the boxes filled.
+pub(super) fn pairs(grid: &mut Grid, rows: &[Row], sought: Sought<'_>, party: &mut Party) {
+    let spots = rows.iter().map(|row| Spot::new(row.x, row.radius));
+    grid.fill(sought.tol, spots);
+    let late = grid.levels.len() > 1;
+    party.search(rows.len(), late, sought, &Around(grid));
+}
+
+/// Looks around particles where there is no cell.
+struct Around<'a>(&'a Grid);
+
+impl Look for Around<'_> {
+    #[inline(always)]
+    fn look<V: Lanes>(&self, searcher: &mut Searcher) {
         let Searcher {
             stretch,
             near,
             found,
             ..
         } = searcher;
-        for p in stretch.clone() {
-            let a = spot(rows, p);
-            let own = grid.level_of(a.radius);
-            near.clear();
-            // On the own level the other one looks, too.
-            grid.gather(own, &a, a.index + 1, near);
-            if own + 1 < levels {
-                let first = near.indices().len();
-                for coarser in own + 1..levels {
-                    grid.gather(coarser, &a, 0, near);
-                }
-                near.retain_from(first, |j| {
-                    if j < a.index {
-                        found.late([j, a.index], HERE);
+        for few in by_few(stretch.clone()) {
+            self.0.gather::<V>(few.clone(), near);
+            for (k, p) in few.enumerate() {
+                let (near, own) = near.of(k);
+                let p = p as u32;
+                let mut after = own;
+                for other in own..near.len() {
+                    if near[other] < p {
+                        found.late([near[other], p], HERE);
+                    } else {
+                        near[after] = near[other];
+                        after += 1;
                     }
-                    j > a.index
-                });
+                }
+                let near = &mut near[..after];
+                sort_few(near, u32::MAX);
+                found.early.extend(near.iter().map(|&j| [p, j]));
             }
-            sort_few(near.indices_mut());
-            let pairs = near.indices().iter().map(|&j| [a.index, j]);
-            found.early.extend(pairs);
         }
-    });
+    }
 }
 
 /// Finds each particle nearer to a wall than `tol` [m]: ascending particles, ascending walls. The
@@ -89,9 +90,7 @@ pub(super) fn wall_pairs(
         let line = [wall.point, wall.direction];
         for level in &grid.levels {
             let margin = level.largest + tol;
-            grid.along(level, line, [wall.h1, wall.h2], margin, |spot| {
-                test(spot.index as usize);
-            });
+            grid.along(level, line, [wall.h1, wall.h2], margin, &mut test);
         }
     }
     found.sort_unstable_by_key(|pair| [pair.particle, pair.wall]);
@@ -146,19 +145,23 @@ mod tests {
             let mut party = Party::default();
             let mut grid = Grid::default();
             // Twice, for what is left in the buffers.
-            for threads in [1, 1, 3] {
-                pairs(&mut grid, &rows, (tol, 0), &mut party, &Threads::new(threads));
+            for (threads, isa) in [1, 1, 3].into_iter().flat_map(|t| Isa::ALL.map(|isa| (t, isa))) {
+                if isa.is_here() {
+                    let threads = &Threads::new(threads);
+                    pairs(&mut grid, &rows, Sought { tol, room: 0, isa, threads }, &mut party);
+                }
             }
             let mut all = Vec::new();
             for p in 0..rows.len() {
                 for q in p + 1..rows.len() {
-                    if spot(&rows, p).is_near(&spot(&rows, q), tol) {
+                    let [a, b] = [p, q].map(|k| Spot::new(rows[k].x, rows[k].radius));
+                    if a.is_near(&b, tol) {
                         all.push([p as u32, q as u32]);
                     }
                 }
             }
-            let mut found = Vec::new();
-            party.each(|pair| found.push(pair));
+            let found = party.found();
+            let found: Vec<_> = found.early.iter().copied().zip(found.images.each()).collect();
             let here: Vec<_> = all.into_iter().map(|pair| (pair, HERE)).collect();
             prop_assert_eq!(found, here);
             prop_assert!(equal || rows.len() < 40 || grid.levels.len() > 3);
@@ -185,7 +188,8 @@ mod tests {
                 .collect();
             let mut grid = Grid::default();
             let mut party = Party::default();
-            pairs(&mut grid, &rows, (tol, 0), &mut party, &Threads::default());
+            let (isa, threads) = (Isa::default(), &Threads::default());
+            pairs(&mut grid, &rows, Sought { tol, room: 0, isa, threads }, &mut party);
             let [mut by_boxes, mut by_all] = [Vec::new(), Vec::new()];
             wall_pairs(Some(&grid), &rows, &walls, tol, &mut by_boxes);
             wall_pairs(None, &rows, &walls, tol, &mut by_all);
