@@ -203,9 +203,9 @@ impl World {
             let v = velocity(&rate, [x[0] - centre[0], x[1] - centre[1]]);
             [x[0] + v[0] * dt, x[1] + v[1] * dt]
         };
-        self.contacts.carry_along(moved);
         // Neighbours come nearer by no more than this share of their distance.
-        self.contacts.stretch += straining::size(&rate) * dt;
+        let stretched = straining::size(&rate) * dt;
+        self.contacts.travel.flow_on(stretched, moved);
     }
 
     /// After a step: a loaded ring takes its share of the stress where it is now.

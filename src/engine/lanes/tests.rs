@@ -71,7 +71,25 @@ fn meetings<V: Lanes>(rows: &[Row; 9], pairs: &[[u32; 2]; 8]) -> Vec<[u64; 4]> {
     out.iter().map(|row| row.map(f64::to_bits)).collect()
 }
 
-type Results = (Vec<Vec<u64>>, Vec<[u64; 4]>);
+/// Whole numbers that masks choose, one after another.
+#[inline(always)]
+fn packed<V: Lanes>(b: &[f64; 8]) -> Vec<u32> {
+    let mut out = Vec::new();
+    for from in (0..8).step_by(V::COUNT) {
+        let whole: [f64; 8] = std::array::from_fn(|k| 1e9 + k as f64);
+        let mut to = [0; 8];
+        // SAFETY: `from` + COUNT is at most 8, and eight can be written.
+        let count = unsafe {
+            let b = V::read(b.as_ptr().add(from));
+            let whole = V::read(whole.as_ptr().add(from));
+            whole.pack(b.above(V::all(0.0)), to.as_mut_ptr())
+        };
+        out.extend(&to[..count]);
+    }
+    out
+}
+
+type Results = (Vec<Vec<u64>>, Vec<[u64; 4]>, Vec<u32>);
 
 #[inline(always)]
 fn results<V: Lanes>(
@@ -83,6 +101,7 @@ fn results<V: Lanes>(
     (
         by_number(&everything::<V>(a, b), V::COUNT),
         meetings::<V>(rows, pairs),
+        packed::<V>(b),
     )
 }
 
@@ -141,8 +160,9 @@ proptest! {
         let same = |other: &Results| {
             let nan = |bits: u64| f64::from_bits(bits).is_nan();
             let pairs = one.0.iter().flatten().zip(other.0.iter().flatten());
-            pairs.into_iter().all(|(&p, &q)| p == q || nan(p) && nan(q)) && one.1 == other.1
+            pairs.into_iter().all(|(&p, &q)| p == q || nan(p) && nan(q)) && one.1 == other.1 && one.2 == other.2
         };
+        prop_assert!(same(&results::<super::Scalars>(&a, &b, &rows, &pairs)));
         if Isa::Avx2.is_here() {
             // SAFETY: it is here.
             let wide = unsafe { with_four(&a, &b, &rows, &pairs) };

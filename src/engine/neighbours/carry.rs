@@ -109,7 +109,38 @@ mod tests {
         assert_eq!(new.map(|new| old.place(&new)), [NEW, 1, 2, NEW]);
     }
 
+    /// Pairs of few bodies and few images, ascending, without and with their images.
+    fn list(all: std::collections::BTreeSet<([u32; 2], [i16; 2])>) -> (Vec<[u32; 2]>, Images) {
+        let mut images = Images::default();
+        for (k, (_, image)) in all.iter().enumerate() {
+            images.push(k, *image);
+        }
+        (all.into_iter().map(|(pair, _)| pair).collect(), images)
+    }
+
     proptest! {
+        #[test]
+        fn pairs_are_found_where_asking_all_finds_them(
+            all in prop::collection::vec(
+                ((0..4u32, 0..4u32), -1..2i16, any::<bool>(), any::<bool>()), 0..60),
+        ) {
+            let meant = |before: bool| {
+                let those = all.iter().filter(|item| if before { item.2 } else { item.3 });
+                those.map(|&((i, j), n, ..)| ([i, j], [n, 0])).collect()
+            };
+            let (old, new) = (list(meant(true)), list(meant(false)));
+            let each = |(pairs, images): &(Vec<[u32; 2]>, Images)| -> Vec<_> {
+                pairs.iter().copied().zip(images.each()).collect()
+            };
+            let before = each(&old);
+            let asked = each(&new).into_iter().map(|pair| {
+                before.iter().position(|old| *old == pair).map_or(NEW, |k| k as u32)
+            });
+            let mut noted = Vec::new();
+            places((&old.0, &old.1), (&new.0, &new.1), &mut noted);
+            prop_assert_eq!(noted, asked.collect::<Vec<_>>());
+        }
+
         #[test]
         fn items_stand_where_a_second_copy_would_have_them(
             size in 0..40usize,

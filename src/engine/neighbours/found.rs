@@ -64,3 +64,42 @@ impl Found {
         std::mem::swap(&mut self.images, &mut spare.images);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::engine::boundary::cell::HERE;
+
+    #[test]
+    fn what_several_found_becomes_one_ascending_list() {
+        let [mut first, mut second, mut spare] = std::array::from_fn(|_| Found::default());
+        let images = [HERE, [1, 0], [-1, 2]];
+        for _ in 0..2 {
+            first.clear();
+            second.clear();
+            first.early([0, 3], images[1]);
+            first.early([1, 2], images[0]);
+            first.late([0, 1], images[2]);
+            second.early([4, 5], images[2]);
+            second.late([0, 3], images[2]);
+            second.late([4, 6], images[0]);
+            first.append(&mut second);
+            first.sort_in(&mut spare);
+            let all: Vec<Meant> = first
+                .early
+                .iter()
+                .copied()
+                .zip(first.images.each())
+                .collect();
+            let expected = [
+                ([0, 1], images[2]),
+                ([0, 3], images[2]),
+                ([0, 3], images[1]),
+                ([1, 2], images[0]),
+                ([4, 5], images[2]),
+                ([4, 6], images[0]),
+            ];
+            assert_eq!(all, expected);
+        }
+    }
+}

@@ -1,7 +1,7 @@
 //! Boxes: particles binned by centre, so that only near ones are compared.
 //!
 //! Particles of like size, within a factor of two or, if all are, a little more, share a level of boxes
-//! as wide as the largest of them reach. One that looks for neighbours looks at the boxes around it on
+//! as high as the largest of them reach, and narrower. One that looks for neighbours looks at the boxes around it on
 //! its own level and on the coarser ones: a ball among sand, or sizes over three decades, cost hardly
 //! more than equal ones.
 
@@ -10,33 +10,8 @@ use std::ops::{Range, RangeInclusive};
 use super::level::{BOXES_PER_PARTICLE, Level};
 use super::members::Members;
 use super::near::Near;
+use super::spot::{Bounds, Spot};
 use crate::engine::lanes::Lanes;
-
-/// A particle, or an image of one, for which there is a box.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(super) struct Spot {
-    /// Centre [m].
-    pub(super) x: [f64; 2],
-    /// Radius [m].
-    pub(super) radius: f64,
-    /// Which box.
-    home: u32,
-}
-
-impl Spot {
-    pub(super) fn new(x: [f64; 2], radius: f64) -> Self {
-        let home = 0;
-        Self { x, radius, home }
-    }
-
-    /// Whether the surfaces are nearer than `tol` [m].
-    #[cfg(test)]
-    pub(super) fn is_near(&self, other: &Self, tol: f64) -> bool {
-        let d = [other.x[0] - self.x[0], other.x[1] - self.x[1]];
-        let reach = self.radius + other.radius + tol;
-        d[0] * d[0] + d[1] * d[1] < reach * reach
-    }
-}
 
 /// Boxes over the extent of the assembly. Buffers are kept between searches.
 #[derive(Debug, Default)]
@@ -55,38 +30,6 @@ pub(super) struct Grid {
     spots: Vec<Spot>,
     /// Box by box.
     members: Members,
-}
-
-/// What spots span.
-struct Bounds {
-    low: [f64; 2],
-    high: [f64; 2],
-    /// Smallest and largest radius [m].
-    radii: [f64; 2],
-    /// Sum of the squares of what each reaches [m²].
-    squares: f64,
-}
-
-impl Default for Bounds {
-    fn default() -> Self {
-        Self {
-            low: [f64::INFINITY; 2],
-            high: [f64::NEG_INFINITY; 2],
-            radii: [f64::INFINITY, 0.0],
-            squares: 0.0,
-        }
-    }
-}
-
-impl Bounds {
-    #[inline(always)]
-    fn take_in(&mut self, &Spot { x, radius, .. }: &Spot, tol: f64) {
-        self.low = [0, 1].map(|k| x[k].smaller(self.low[k]));
-        self.high = [0, 1].map(|k| x[k].larger(self.high[k]));
-        self.radii = [radius.smaller(self.radii[0]), radius.larger(self.radii[1])];
-        let reach = 2.0 * radius + tol;
-        self.squares += reach * reach;
-    }
 }
 
 /// More doublings of the size than this share the last level.

@@ -111,6 +111,18 @@ mod tests {
             let last = all.iter().rposition(|&image| image != HERE);
             prop_assert!(images.fit(last.map_or(0, |last| last + 1)));
             prop_assert!(last.is_none_or(|last| !images.fit(last)));
+            // Asked for in order, some twice and some not at all.
+            let mut ahead = images.ahead();
+            for k in (0..all.len()).flat_map(|k| std::iter::repeat_n(k, k % 3)) {
+                prop_assert_eq!(ahead.at(k), all[k]);
+            }
+            // In two parts, put together.
+            let half = all.len() / 2;
+            let [mut first, mut second] = [Images::default(), Images::default()];
+            all[..half].iter().enumerate().for_each(|(k, &image)| first.push(k, image));
+            all[half..].iter().enumerate().for_each(|(k, &image)| second.push(k, image));
+            first.append(half, &second);
+            prop_assert_eq!(first, images);
         }
     }
 }

@@ -9,10 +9,11 @@ use super::party::Party;
 use super::periodic::Tiling;
 use super::search::{self, Sought};
 use super::skin::Use;
+use super::spot::{Bounds, Spot};
+use super::travel::Travel;
 use super::whose::Whose;
 use super::{Slot, Status};
 use crate::engine::boundary::cell::Cell;
-use crate::engine::lanes::Lanes;
 use crate::engine::particles::{Particles, Row};
 use crate::engine::wall::Wall;
 use crate::engine::wall_contact::{WallPair, WallTouch};
@@ -35,18 +36,8 @@ pub struct ContactList {
     /// Which contacts are whose.
     #[serde(skip)]
     whose: Whose,
-    /// Centres when the list was made.
-    reference: Vec<[f64; 2]>,
-    /// Three points of the plane then, and where the imposed flow has taken them since.
-    frame: [[[f64; 2]; 3]; 2],
-    /// No particle has moved further since then [m].
-    pub travel: f64,
-    /// No point of a wall near the assembly has moved further since then [m].
-    pub wall_travel: f64,
-    /// No distance has been stretched by a larger share in the imposed flow since then.
-    pub(in crate::engine) stretch: f64,
-    /// Largest distance of centres in the list [m].
-    pub(in crate::engine) reach: f64,
+    /// How far everything has moved since the list was made.
+    pub(in crate::engine) travel: Travel,
     /// Smallest radius [m].
     pub(in crate::engine) smallest: f64,
     /// Mean radius [m].
@@ -101,20 +92,15 @@ impl ContactList {
         sought: Sought<'_>,
     ) -> Vec<u32> {
         let rows = &particles.row;
-        let (mut largest, mut smallest, mut sum) = (0.0, f64::INFINITY, 0.0);
-        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-        self.reference.clear();
-        self.reference
-            .extend(rows.iter().map(|&Row { x, radius, .. }| {
-                (largest, smallest) = (radius.larger(largest), radius.smaller(smallest));
-                sum += radius;
-                low = [0, 1].map(|k| x[k].smaller(low[k]));
-                high = [0, 1].map(|k| x[k].larger(high[k]));
-                x
-            }));
+        let Sought { tol, .. } = sought;
+        let (mut bounds, mut sum) = (Bounds::default(), 0.0);
+        self.travel.begin(rows.iter().map(|&Row { x, radius, .. }| {
+            bounds.take_in(&Spot::new(x, radius), tol);
+            sum += radius;
+            x
+        }));
         let work = &mut self.work;
         let [pairs, at_walls] = Self::room(rows.len());
-        let Sought { tol, .. } = sought;
         work.walls.clear();
         work.walls.reserve(at_walls);
         let (grid, party) = (&mut work.grid, &mut work.party);
@@ -133,16 +119,15 @@ impl ContactList {
         search::wall_pairs(boxes, rows, walls, tol, &mut work.walls);
         self.carry_over([pairs, at_walls]);
         self.whose.note(rows.len(), &self.pairs, &self.walls);
-        self.travel = 0.0;
-        self.wall_travel = 0.0;
-        self.stretch = 0.0;
-        self.reach = 2.0 * largest + tol;
+        let [smallest, largest] = bounds.radii;
         self.smallest = smallest;
         self.radius = sum / rows.len() as f64;
         let margin = largest + 2.0 * tol;
-        let [low, high] = [low.map(|x| x - margin), high.map(|x| x + margin)];
-        self.span = [low, high];
-        self.frame = [[low, [high[0], low[1]], [low[0], high[1]]]; 2];
+        self.span = [
+            bounds.low.map(|x| x - margin),
+            bounds.high.map(|x| x + margin),
+        ];
+        self.travel.within(self.span, 2.0 * largest + tol);
         self.rebuilds += 1;
         std::mem::take(&mut self.work.old)
     }
@@ -221,52 +206,15 @@ impl ContactList {
         &self.whose
     }
 
-    /// Takes the centres that travel is measured from along with an imposed flow: a linear one, so
-    /// three points say where all of them are.
-    pub(in crate::engine) fn carry_along(&mut self, moved: impl Fn([f64; 2]) -> [f64; 2]) {
-        self.frame[1] = self.frame[1].map(moved);
-    }
-
-    /// Furthest that any particle really moved since the list was made, but for the imposed flow [m].
-    pub fn measured_travel(&self, particles: &Particles) -> f64 {
-        let [old, new] = &self.frame;
-        let size = [old[1][0] - old[0][0], old[2][1] - old[0][1]];
-        let still = old == new;
-        let carried = |x: [f64; 2]| {
-            if still {
-                return x;
-            }
-            let share = [0, 1].map(|k| (x[k] - old[0][k]) / size[k]);
-            [0, 1].map(|k| {
-                let along = [new[1][k] - new[0][k], new[2][k] - new[0][k]];
-                new[0][k] + share[0] * along[0] + share[1] * along[1]
-            })
-        };
-        let mut square = 0.0f64;
-        for (row, old) in particles.row.iter().zip(&self.reference) {
-            let old = carried(*old);
-            let d = [row.x[0] - old[0], row.x[1] - old[1]];
-            square = square.max(d[0] * d[0] + d[1] * d[1]);
-        }
-        square.sqrt()
-    }
-
-    /// How much nearer two particles, or a particle and a wall, can have come since the list was made
-    /// [m].
-    pub(in crate::engine) fn nearer(&self) -> f64 {
-        let (particle, wall) = (self.travel, self.wall_travel);
-        (2.0 * particle).max(particle + wall) + self.stretch * self.reach
-    }
-
     /// How the list was used in the cycles up to this one.
     pub(in crate::engine) fn usage(&self, tol: f64, cycle: u64) -> Use {
         let apart = |status: &&Status| **status == Status::Apart;
         Use {
             tol,
-            nearer: self.nearer(),
+            nearer: self.travel.nearer(),
             cycles: cycle.saturating_sub(self.made),
             apart: self.status.iter().filter(apart).count(),
-            particles: self.reference.len(),
+            particles: self.travel.particles(),
             radius: self.radius,
         }
     }
@@ -325,7 +273,7 @@ impl ContactList {
         // Two lists of pairs, and the old place of each.
         let place = size_of::<u32>();
         let contact = 2 * pair + size_of::<Slot>() + size_of::<Status>() + place;
-        let particle = size_of::<[f64; 2]>() + Whose::BYTES + Grid::BYTES;
+        let particle = Travel::BYTES + Whose::BYTES + Grid::BYTES;
         if cell {
             // Pairs as they are seen.
             [contact + pair, particle + Tiling::BYTES]

@@ -7,7 +7,7 @@
 use std::ops::Range;
 
 use super::near::Near;
-use super::grid::Spot;
+use super::spot::Spot;
 use crate::engine::lanes::Lanes;
 
 /// So many more can be read than there are, and noted than are near.

@@ -16,6 +16,8 @@ mod party;
 mod periodic;
 pub(super) mod search;
 pub(super) mod skin;
+mod spot;
+pub(super) mod travel;
 pub(super) mod whose;
 
 use serde::{Deserialize, Serialize};

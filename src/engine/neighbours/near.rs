@@ -139,4 +139,39 @@ mod tests {
             prop_assert_eq!(items, sorted);
         }
     }
+
+    #[test]
+    fn everyone_gets_what_it_found_itself() {
+        let mut near = Near::default();
+        let note = |near: &mut Near, items: &[u32]| {
+            let noted = near.room(items.len());
+            near.items[noted..noted + items.len()].copy_from_slice(items);
+            near.note(noted + items.len());
+        };
+        for _ in 0..2 {
+            near.begin();
+            for (k, [own, others]) in [[&[1, 2][..], &[3]], [&[], &[4]], [&[], &[]], [&[5], &[]]]
+                .into_iter()
+                .enumerate()
+            {
+                note(&mut near, own);
+                near.own_done(k);
+                note(&mut near, others);
+                near.all_done(k);
+            }
+            let found = [0, 1, 2, 3].map(|k| {
+                let (all, own) = near.of(k);
+                (all.to_vec(), own)
+            });
+            let expected = [(vec![1, 2, 3], 2), (vec![4], 0), (vec![], 0), (vec![5], 1)];
+            assert_eq!(found, expected);
+        }
+    }
+
+    #[test]
+    fn a_few_at_a_time_are_all() {
+        let all: Vec<_> = by_few(5..5 + 2 * FEW + 3).collect();
+        assert_eq!(all, [5..37, 37..69, 69..72]);
+        assert_eq!(by_few(7..7).count(), 0);
+    }
 }

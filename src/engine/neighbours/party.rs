@@ -89,7 +89,7 @@ impl Party {
             }
         }
         threads.run(&mut self.searchers[..parts], |searcher| {
-            by_isa(isa, look, searcher)
+            by_isa(isa, look, searcher);
         });
         if let Some((first, others)) = self.searchers.split_first_mut() {
             for other in others {

@@ -1,0 +1,163 @@
+//! How far particles and walls have moved since the list was made: what its halo is there for.
+
+use serde::{Deserialize, Serialize};
+
+use crate::engine::lanes::Lanes;
+use crate::engine::particles::Row;
+
+/// Way since the list was made.
+#[derive(Debug, Default, Serialize, Deserialize)]
+pub(in crate::engine) struct Travel {
+    /// Centres then [m].
+    reference: Vec<[f64; 2]>,
+    /// Three points of the plane then, and where the imposed flow has taken them since.
+    frame: [[[f64; 2]; 3]; 2],
+    /// No particle has moved further, but for the flow [m].
+    furthest: f64,
+    /// No two particles can have come nearer to each other by more, but for the flow [m].
+    nearing: f64,
+    /// No point of a wall near the assembly has moved further [m].
+    wall: f64,
+    /// No distance has been stretched by a larger share in the flow.
+    stretch: f64,
+    /// Largest distance of centres in the list [m].
+    reach: f64,
+}
+
+impl Travel {
+    /// Bytes per particle.
+    pub(super) const BYTES: usize = size_of::<[f64; 2]>();
+
+    /// A list is made of particles with these centres [m].
+    pub(super) fn begin(&mut self, centres: impl Iterator<Item = [f64; 2]>) {
+        self.reference.clear();
+        self.reference.extend(centres);
+        (self.furthest, self.nearing) = (0.0, 0.0);
+        (self.wall, self.stretch) = (0.0, 0.0);
+    }
+
+    /// All of them are in this box [m], and listed ones not further apart than `reach` [m].
+    pub(super) fn within(&mut self, [low, high]: [[f64; 2]; 2], reach: f64) {
+        self.frame = [[low, [high[0], low[1]], [low[0], high[1]]]; 2];
+        self.reach = reach;
+    }
+
+    /// Number of particles.
+    pub(super) fn particles(&self) -> usize {
+        self.reference.len()
+    }
+
+    /// In one more cycle no particle moved further than this [m].
+    pub(in crate::engine) fn go_on(&mut self, step: f64) {
+        self.furthest += step;
+        self.nearing += 2.0 * step;
+    }
+
+    /// In one more cycle no wall moved further than this [m].
+    pub(in crate::engine) fn wall_goes_on(&mut self, step: f64) {
+        self.wall += step;
+    }
+
+    /// Takes the centres that ways are measured from along with an imposed flow, which stretched nothing
+    /// by a larger share than this: it is linear, so three points say where all of them are.
+    pub(in crate::engine) fn flow_on(
+        &mut self,
+        stretched: f64,
+        moved: impl Fn([f64; 2]) -> [f64; 2],
+    ) {
+        self.frame[1] = self.frame[1].map(moved);
+        self.stretch += stretched;
+    }
+
+    /// Looks how far particles really moved, but for the flow. What falls together comes no nearer: no two
+    /// can have, by more than the box of all moves is wide.
+    pub(in crate::engine) fn measure(&mut self, rows: &[Row]) {
+        let [old, new] = &self.frame;
+        let size = [old[1][0] - old[0][0], old[2][1] - old[0][1]];
+        let still = old == new;
+        let carried = |x: [f64; 2]| {
+            if still {
+                return x;
+            }
+            let share = [0, 1].map(|k| (x[k] - old[0][k]) / size[k]);
+            [0, 1].map(|k| {
+                let along = [new[1][k] - new[0][k], new[2][k] - new[0][k]];
+                new[0][k] + share[0] * along[0] + share[1] * along[1]
+            })
+        };
+        let (mut square, mut low, mut high) = (0.0, [0.0; 2], [0.0; 2]);
+        for (row, old) in rows.iter().zip(&self.reference) {
+            let old = carried(*old);
+            let d = [row.x[0] - old[0], row.x[1] - old[1]];
+            square = (d[0] * d[0] + d[1] * d[1]).larger(square);
+            low = [0, 1].map(|k| d[k].smaller(low[k]));
+            high = [0, 1].map(|k| d[k].larger(high[k]));
+        }
+        let width = [high[0] - low[0], high[1] - low[1]];
+        let diagonal = (width[0] * width[0] + width[1] * width[1]).sqrt();
+        self.furthest = square.sqrt();
+        self.nearing = diagonal.smaller(2.0 * self.furthest);
+    }
+
+    /// How much nearer two particles, or a particle and a wall, can have come [m].
+    pub(in crate::engine) fn nearer(&self) -> f64 {
+        let at_wall = self.furthest + self.wall;
+        self.nearing.max(at_wall) + self.stretch * self.reach
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Ways of particles from the origin.
+    fn moved(by: &[[f64; 2]]) -> Travel {
+        let mut travel = Travel::default();
+        travel.begin(by.iter().map(|_| [0.0; 2]));
+        travel.within([[-1.0; 2], [1.0; 2]], 2.0);
+        let row = |&x: &[f64; 2]| Row {
+            x,
+            ..Row::default()
+        };
+        travel.measure(&by.iter().map(row).collect::<Vec<_>>());
+        travel
+    }
+
+    #[test]
+    fn what_falls_together_comes_no_nearer() {
+        let nearing = |by: &[[f64; 2]]| moved(by).nearing;
+        // The way of those that fall counts once: something lies still, as a rule.
+        assert_eq!(nearing(&[[0.0, -5.0], [0.0, -5.0]]), 5.0);
+        assert_eq!(nearing(&[[0.0, -5.0], [0.0, 0.0]]), 5.0);
+        assert_eq!(nearing(&[[0.0, -5.0], [0.0, 1.0]]), 6.0);
+        assert_eq!(nearing(&[[-3.0, 4.0], [3.0, -4.0]]), 10.0);
+        // Not more than twice the furthest: a box has corners where nobody is.
+        let cross = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]];
+        assert_eq!(nearing(&cross), 2.0);
+    }
+
+    #[test]
+    fn ways_add_up_until_they_are_measured() {
+        let mut travel = moved(&[[0.0, -5.0], [0.0, 1.0]]);
+        assert_eq!(travel.nearer(), 6.0);
+        travel.go_on(0.25);
+        assert_eq!((travel.furthest, travel.nearer()), (5.25, 6.5));
+        // A wall may come towards the furthest.
+        travel.wall_goes_on(2.0);
+        assert_eq!(travel.nearer(), 7.25);
+        travel.flow_on(0.5, |x| x);
+        assert_eq!(travel.nearer(), 8.25);
+    }
+
+    #[test]
+    fn what_the_flow_carries_along_has_not_moved() {
+        let mut travel = moved(&[[0.0; 2]]);
+        // To the right by as much as it is up, and up by one.
+        travel.flow_on(0.0, |[x, y]| [x + y, y + 1.0]);
+        travel.measure(&[Row {
+            x: [0.0, 1.5],
+            ..Row::default()
+        }]);
+        assert_eq!(travel.furthest, 0.5);
+    }
+}
