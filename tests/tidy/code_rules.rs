@@ -27,8 +27,7 @@ const LAYERS: [(&str, &str); 11] = [
 ];
 
 /// Files and folders that may hold unsafe code, each added here by hand: the loops over contacts and
-/// particles with what they stand on, the search for neighbours, the team of threads, and the allocator of
-/// the program.
+/// particles with what they stand on, the team of threads, and the allocator of the program.
 const UNSAFE_FILES: &[&str] = &[
     "src/cli/large_pages.rs",
     "src/engine/lanes/",
@@ -40,8 +39,6 @@ const UNSAFE_FILES: &[&str] = &[
     "src/engine/contact/numbers.rs",
     "src/engine/contact/pass.rs",
     "src/engine/motion/",
-    "src/engine/neighbours/members.rs",
-    "src/engine/neighbours/party.rs",
     "src/engine/threads/",
     "tests/allocations.rs",
 ];

@@ -159,12 +159,12 @@ impl Lanes for Four {
     }
 
     #[inline(always)]
-    unsafe fn pack(self, mask: Mask, to: *mut u32) -> usize {
+    fn pack(self, mask: Mask, to: &mut [u32; 8]) -> usize {
         let bits = Self::bits(mask);
         unsafe {
             let order = _mm_load_si128(CHOSEN[bits as usize].0.as_ptr().cast());
             _mm_storeu_si128(
-                to.cast(),
+                to.as_mut_ptr().cast(),
                 _mm_shuffle_epi8(_mm256_cvttpd_epi32(self.0), order),
             );
         }

@@ -146,10 +146,10 @@ impl Lanes for Eight {
     }
 
     #[inline(always)]
-    unsafe fn pack(self, mask: Mask, to: *mut u32) -> usize {
+    fn pack(self, mask: Mask, to: &mut [u32; 8]) -> usize {
         unsafe {
             let chosen = _mm512_maskz_compress_pd(mask.0, self.0);
-            _mm256_storeu_si256(to.cast(), _mm512_cvttpd_epi32(chosen));
+            _mm256_storeu_si256(to.as_mut_ptr().cast(), _mm512_cvttpd_epi32(chosen));
         }
         mask.0.count_ones() as usize
     }

@@ -12,7 +12,9 @@
 mod avx2;
 #[cfg(target_arch = "x86_64")]
 mod avx512;
+mod columns;
 mod cube_root;
+mod in_lanes;
 mod isa;
 mod one;
 mod quad;
@@ -23,7 +25,9 @@ use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 pub use avx2::Four;
 #[cfg(target_arch = "x86_64")]
 pub use avx512::Eight;
+pub use columns::Columns;
 pub use cube_root::cube_root;
+pub use in_lanes::InLanes;
 pub use isa::Isa;
 pub use quad::{Quad, Scalars};
 
@@ -84,18 +88,14 @@ pub trait Lanes:
     fn smaller(self, other: Self) -> Self;
     /// The mask as bits, lane 0 lowest.
     fn bits(mask: Self::Mask) -> u32;
-    /// Writes the numbers that the mask chooses one after another, as whole ones of less than 2³¹;
-    /// answers how many.
-    ///
-    /// # Safety
-    /// `COUNT` whole numbers must be writable there, however few are chosen.
+    /// Writes the numbers that the mask chooses one after another, as whole ones of less than 2³¹, and
+    /// whatever behind them. Answers how many.
     #[inline(always)]
-    unsafe fn pack(self, mask: Self::Mask, to: *mut u32) -> usize {
+    fn pack(self, mask: Self::Mask, to: &mut [u32; 8]) -> usize {
         let (numbers, bits) = (self.numbers(), Self::bits(mask));
         let mut count = 0;
         for (k, number) in numbers.into_iter().enumerate().take(Self::COUNT) {
-            // SAFETY: the caller's: no more were counted than there are lanes before this one.
-            unsafe { *to.add(count) = number as u32 };
+            to[count] = number as u32;
             count += (bits >> k & 1) as usize;
         }
         count

@@ -78,12 +78,9 @@ fn packed<V: Lanes>(b: &[f64; 8]) -> Vec<u32> {
     for from in (0..8).step_by(V::COUNT) {
         let whole: [f64; 8] = std::array::from_fn(|k| 1e9 + k as f64);
         let mut to = [0; 8];
-        // SAFETY: `from` + COUNT is at most 8, and eight can be written.
-        let count = unsafe {
-            let b = V::read(b.as_ptr().add(from));
-            let whole = V::read(whole.as_ptr().add(from));
-            whole.pack(b.above(V::all(0.0)), to.as_mut_ptr())
-        };
+        // SAFETY: `from` + COUNT is at most 8.
+        let [b, whole] = [b, &whole].map(|x| unsafe { V::read(x.as_ptr().add(from)) });
+        let count = whole.pack(b.above(V::all(0.0)), &mut to);
         out.extend(&to[..count]);
     }
     out

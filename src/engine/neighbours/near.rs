@@ -3,7 +3,8 @@
 
 use std::ops::Range;
 
-use super::members::SPARE;
+/// So many are noted at once, at most.
+const SPARE: usize = 8;
 
 /// So many particles look one after another.
 pub(super) const FEW: usize = 32;
@@ -56,10 +57,11 @@ impl Near {
         self.len
     }
 
-    /// Where the next one is noted when so many are.
+    /// Where the next ones are noted when so many are.
     #[inline(always)]
-    pub(super) fn after(&mut self, noted: usize) -> *mut u32 {
-        self.items.as_mut_ptr().wrapping_add(noted)
+    pub(super) fn after(&mut self, noted: usize) -> &mut [u32; SPARE] {
+        let free = self.items[noted..].first_chunk_mut();
+        free.expect("room was made")
     }
 
     /// So many are noted now.

@@ -1,16 +1,10 @@
 //! A search that several threads share: each looks around a stretch of the particles.
-#![allow(
-    unsafe_code,
-    reason = "enters functions for instructions that the processor was asked for"
-)]
 
 use super::found::Found;
 use super::near::Near;
 use super::partner::Partner;
 use super::search::Sought;
-#[cfg(target_arch = "x86_64")]
-use crate::engine::lanes::{Eight, Four};
-use crate::engine::lanes::{Isa, Lanes, Scalars};
+use crate::engine::lanes::{InLanes, Lanes};
 use crate::engine::threads::share;
 
 /// Who searches, and what they found: in the end the first one has it all.
@@ -36,30 +30,14 @@ pub(super) trait Look: Sync {
     fn look<V: Lanes>(&self, searcher: &mut Searcher);
 }
 
-fn by_isa(isa: Isa, look: &impl Look, searcher: &mut Searcher) {
-    #[cfg(target_arch = "x86_64")]
-    if isa > Isa::Baseline && isa.is_here() {
-        // SAFETY: the processor has it.
-        return unsafe {
-            match isa {
-                Isa::Avx512 => with_eight(look, searcher),
-                _ => with_four(look, searcher),
-            }
-        };
+/// One who looks so.
+struct Looking<'a, L>(&'a L, &'a mut Searcher);
+
+impl<L: Look> InLanes for Looking<'_, L> {
+    #[inline(always)]
+    fn run<V: Lanes>(self) {
+        self.0.look::<V>(self.1);
     }
-    look.look::<Scalars>(searcher);
-}
-
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,popcnt")]
-fn with_eight(look: &impl Look, searcher: &mut Searcher) {
-    look.look::<Eight>(searcher);
-}
-
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,popcnt")]
-fn with_four(look: &impl Look, searcher: &mut Searcher) {
-    look.look::<Four>(searcher);
 }
 
 impl Party {
@@ -89,7 +67,7 @@ impl Party {
             }
         }
         threads.run(&mut self.searchers[..parts], |searcher| {
-            by_isa(isa, look, searcher);
+            isa.run(Looking(look, searcher));
         });
         if let Some((first, others)) = self.searchers.split_first_mut() {
             for other in others {
