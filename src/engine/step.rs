@@ -227,7 +227,8 @@ impl World {
             return Ok(());
         }
         // The sum of largest speeds overestimates: look before searching.
-        contacts.travel.measure(&self.particles.row);
+        let rows = &self.particles.row;
+        contacts.travel.measure(rows, &self.threads);
         let usage = contacts.usage(self.tol, self.cycle);
         let wide = due && usage.best() < WIDE * self.tol;
         if usage.nearer < SPENT * self.tol && !wide {

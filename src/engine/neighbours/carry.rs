@@ -48,32 +48,40 @@ pub(in crate::engine) fn carry<T: Copy>(
     }
 }
 
-/// Looks sorted new pairs and their images up among sorted old ones: notes the place of each there, or
-/// [`NEW`].
+/// Looks sorted new pairs, from a certain one on, and their images up among sorted old ones: notes the
+/// place of each there, or [`NEW`].
 pub(super) fn places(
     (old, old_images): (&[[u32; 2]], &Images),
     (new, new_images): (&[[u32; 2]], &Images),
-    noted: &mut Vec<u32>,
+    from: usize,
+    noted: &mut [u32],
 ) {
     // Orders as the pair does.
     let number = |pair: &[u32; 2]| u64::from(pair[0]) << 32 | u64::from(pair[1]);
-    let (mut old_images, mut new_images) = (old_images.ahead(), new_images.ahead());
-    let mut at = 0;
-    noted.extend(new.iter().enumerate().map(|(k, pair)| {
+    let new = &new[from..];
+    let Some(first) = new.first().map(number) else {
+        return;
+    };
+    let mut at = old.partition_point(|pair| number(pair) < first);
+    let (mut old_images, mut new_images) = (old_images.ahead(at), new_images.ahead(from));
+    for ((k, pair), noted) in (from..).zip(new).zip(noted) {
         let wanted = number(pair);
         while old.get(at).is_some_and(|pair| number(pair) < wanted) {
             at += 1;
         }
+        *noted = NEW;
         // In a small cell two bodies meet more than once.
         while old.get(at) == Some(pair) {
             match old_images.at(at).cmp(&new_images.at(k)) {
                 Ordering::Less => at += 1,
-                Ordering::Equal => return at as u32,
+                Ordering::Equal => {
+                    *noted = at as u32;
+                    break;
+                }
                 Ordering::Greater => break,
             }
         }
-        NEW
-    }));
+    }
 }
 
 /// Looks sorted new items up among sorted old ones.
@@ -136,9 +144,14 @@ mod tests {
             let asked = each(&new).into_iter().map(|pair| {
                 before.iter().position(|old| *old == pair).map_or(NEW, |k| k as u32)
             });
-            let mut noted = Vec::new();
-            places((&old.0, &old.1), (&new.0, &new.1), &mut noted);
-            prop_assert_eq!(noted, asked.collect::<Vec<_>>());
+            let asked: Vec<_> = asked.collect();
+            for cut in [0, new.0.len() / 3, new.0.len()] {
+                let mut noted = vec![0; new.0.len()];
+                let (head, tail) = noted.split_at_mut(cut);
+                places((&old.0, &old.1), (&new.0, &new.1), 0, head);
+                places((&old.0, &old.1), (&new.0, &new.1), cut, tail);
+                prop_assert_eq!(&noted, &asked);
+            }
         }
 
         #[test]

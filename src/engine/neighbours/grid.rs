@@ -12,6 +12,7 @@ use super::members::Members;
 use super::near::Near;
 use super::spot::{Bounds, Spot};
 use crate::engine::lanes::Lanes;
+use crate::engine::threads::Threads;
 
 /// Boxes over the extent of the assembly. Buffers are kept between searches.
 #[derive(Debug, Default)]
@@ -45,20 +46,37 @@ impl Grid {
     pub(super) const BYTES: usize =
         size_of::<Spot>() + Members::BYTES + BOXES_PER_PARTICLE * size_of::<u32>();
 
-    /// Bins spots; pairs nearer than `tol` [m] can then be found.
-    pub(super) fn fill(&mut self, tol: f64, spots: impl Iterator<Item = Spot>) {
-        self.spots.clear();
-        let mut bounds = Bounds::default();
-        self.spots
-            .extend(spots.inspect(|spot| bounds.take_in(spot, tol)));
-        self.lay(tol, &bounds);
+    /// Bins so many spots, of which `spot` answers each; pairs nearer than `tol` [m] can then be found.
+    pub(super) fn fill(
+        &mut self,
+        count: usize,
+        tol: f64,
+        threads: &Threads,
+        spot: impl Fn(usize) -> Spot + Sync,
+    ) {
+        let mut spots = std::mem::take(&mut self.spots);
+        spots.resize(count, Spot::default());
+        let lay_out = |first: usize, spots: &mut [Spot]| {
+            let mut bounds = Bounds::default();
+            for (k, place) in spots.iter_mut().enumerate() {
+                *place = spot(first + k);
+                bounds.take_in(place, tol);
+            }
+            bounds
+        };
+        let bounds = threads.join(&mut spots, Bounds::default(), lay_out, Bounds::and);
+        self.lay(&spots, tol, &bounds);
+        threads.each(&mut spots, |_, spots| {
+            for spot in spots {
+                spot.home = self.home(spot) as u32;
+            }
+        });
+        self.spots = spots;
         let boxes = self.levels.last().map_or(0, Level::end);
         self.starts.clear();
         self.starts.resize(boxes + 2, 0);
-        for k in 0..self.spots.len() {
-            let home = self.home(&self.spots[k]);
-            self.spots[k].home = home as u32;
-            self.starts[home + 1] += 1;
+        for spot in &self.spots {
+            self.starts[spot.home as usize + 1] += 1;
         }
         for cell in 1..self.starts.len() {
             self.starts[cell] += self.starts[cell - 1];
@@ -79,8 +97,8 @@ impl Grid {
     }
 
     /// Lays the levels.
-    fn lay(&mut self, tol: f64, bounds: &Bounds) {
-        let count = self.spots.len();
+    fn lay(&mut self, spots: &[Spot], tol: f64, bounds: &Bounds) {
+        let count = spots.len();
         let &Bounds { low, high, .. } = bounds;
         let [least, most] = bounds.radii.map(|radius| 2.0 * radius + tol);
         let span = [high[0] - low[0], high[1] - low[1]];
@@ -93,7 +111,7 @@ impl Grid {
             self.least = most;
             sizes[0] = (count, bounds.radii[1]);
         } else {
-            for &Spot { radius, .. } in &self.spots {
+            for &Spot { radius, .. } in spots {
                 let size = &mut sizes[self.doublings(radius)];
                 *size = (size.0 + 1, size.1.max(radius));
             }
@@ -201,11 +219,8 @@ mod tests {
             .flat_map(|&(count, radius)| std::iter::repeat_n(radius, count))
             .collect();
         let mut grid = Grid::default();
-        let spots = radii.iter().enumerate();
-        grid.fill(
-            0.01,
-            spots.map(|(k, &radius)| Spot::new([k as f64, 0.0], radius)),
-        );
+        let spot = |k: usize| Spot::new([k as f64, 0.0], radii[k]);
+        grid.fill(radii.len(), 0.01, &Threads::default(), spot);
         grid.levels.len()
     }
 

@@ -36,9 +36,9 @@ impl Images {
         })
     }
 
-    /// Those of pairs that are asked for in ascending order.
-    pub(super) fn ahead(&self) -> Ahead<'_> {
-        Ahead(&self.0)
+    /// Those of pairs from pair k on that are asked for in ascending order.
+    pub(super) fn ahead(&self, k: usize) -> Ahead<'_> {
+        Ahead(&self.0[self.0.partition_point(|item| (item.0 as usize) < k)..])
     }
 
     /// Adds those of further pairs, the first of which is pair k.
@@ -112,12 +112,13 @@ mod tests {
             prop_assert!(images.fit(last.map_or(0, |last| last + 1)));
             prop_assert!(last.is_none_or(|last| !images.fit(last)));
             // Asked for in order, some twice and some not at all.
-            let mut ahead = images.ahead();
+            let half = all.len() / 2;
+            prop_assert!(half == all.len() || images.ahead(half).at(half) == all[half]);
+            let mut ahead = images.ahead(0);
             for k in (0..all.len()).flat_map(|k| std::iter::repeat_n(k, k % 3)) {
                 prop_assert_eq!(ahead.at(k), all[k]);
             }
             // In two parts, put together.
-            let half = all.len() / 2;
             let [mut first, mut second] = [Images::default(), Images::default()];
             all[..half].iter().enumerate().for_each(|(k, &image)| first.push(k, image));
             all[half..].iter().enumerate().for_each(|(k, &image)| second.push(k, image));

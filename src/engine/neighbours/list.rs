@@ -15,6 +15,7 @@ use super::whose::Whose;
 use super::{Slot, Status};
 use crate::engine::boundary::cell::Cell;
 use crate::engine::particles::{Particles, Row};
+use crate::engine::threads::Threads;
 use crate::engine::wall::Wall;
 use crate::engine::wall_contact::{WallPair, WallTouch};
 
@@ -117,8 +118,7 @@ impl ContactList {
             }
         };
         search::wall_pairs(boxes, rows, walls, tol, &mut work.walls);
-        self.carry_over([pairs, at_walls]);
-        self.whose.note(rows.len(), &self.pairs, &self.walls);
+        self.carry_over([pairs, at_walls], rows.len(), sought.threads);
         let [smallest, largest] = bounds.radii;
         self.smallest = smallest;
         self.radius = sum / rows.len() as f64;
@@ -137,39 +137,47 @@ impl ContactList {
         self.work.old = old;
     }
 
-    /// Slots, status and sides of contacts that were listed before stay what they are.
-    fn carry_over(&mut self, [pairs, at_walls]: [usize; 2]) {
-        let work = &mut self.work;
-        work.old.clear();
-        work.old.reserve(pairs + at_walls);
-        let found = work.party.found();
-        let before = (&*self.pairs, &self.images);
-        places(before, (&found.early, &found.images), &mut work.old);
-        let from = work.old.len();
+    /// Slots, status and sides of contacts that were listed before stay what they are, and everybody
+    /// learns which are theirs.
+    fn carry_over(&mut self, [pairs, at_walls]: [usize; 2], particles: usize, threads: &Threads) {
+        let Work {
+            party, walls, old, ..
+        } = &mut self.work;
+        let found = party.found();
+        let from = found.early.len();
+        old.clear();
+        old.reserve(pairs + at_walls);
+        old.resize(from, NEW);
+        let (before, now) = ((&*self.pairs, &self.images), (&*found.early, &found.images));
+        threads.each(old, |first, old| places(before, now, first, old));
         let bodies = |at: &WallPair| [at.particle, at.wall];
         let mut known = Walk::along(self.walls.iter().map(bodies));
-        let at_wall = work.walls.iter().map(bodies);
-        work.old.extend(at_wall.map(|at| known.place(&at)));
-        for (pair, &old) in work.walls.iter_mut().zip(&work.old[from..]) {
+        old.extend(walls.iter().map(bodies).map(|at| known.place(&at)));
+        for (pair, &old) in walls.iter_mut().zip(&old[from..]) {
             if let Some(before) = self.walls.get(old as usize) {
                 pair.side = before.side;
             }
         }
-        let at_wall = &work.old[from..];
-        carry(&mut self.touches, at_wall, 0, at_walls, |_| {
+        carry(&mut self.touches, &old[from..], 0, at_walls, |_| {
             WallTouch::default()
         });
         let shift = self.pairs.len() as u32;
-        for old in work.old[from..].iter_mut().filter(|old| **old != NEW) {
+        for old in old[from..].iter_mut().filter(|old| **old != NEW) {
             *old += shift;
         }
-        let room = pairs + at_walls;
-        carry(&mut self.slots, &work.old, 0, room + 1, |_| Slot::default());
-        self.slots.push(Slot::default());
-        carry(&mut self.status, &work.old, 0, room, |_| Status::default());
+        let (room, whose) = (pairs + at_walls, &mut self.whose);
+        let (slots, status) = (&mut self.slots, &mut self.status);
+        threads.both(
+            || {
+                carry(slots, old, 0, room + 1, |_| Slot::default());
+                slots.push(Slot::default());
+                carry(status, old, 0, room, |_| Status::default());
+            },
+            || whose.note(particles, &found.early, walls),
+        );
         std::mem::swap(&mut self.pairs, &mut found.early);
         std::mem::swap(&mut self.images, &mut found.images);
-        std::mem::swap(&mut self.walls, &mut work.walls);
+        std::mem::swap(&mut self.walls, walls);
     }
 
     /// After reading a checkpoint: works out whose contacts are whose. False if the list is not one of

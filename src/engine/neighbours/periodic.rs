@@ -74,7 +74,7 @@ impl Tiling {
             tiling: self,
         };
         let count = rows.len() + self.images.len();
-        grid.fill(sought.tol, (0..count).map(|k| at.spot(k)));
+        grid.fill(count, sought.tol, sought.threads, |k| at.spot(k));
         let late = grid.levels.len() > 1;
         party.search(rows.len(), late, sought, &Around { grid, at });
     }

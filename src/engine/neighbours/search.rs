@@ -24,8 +24,8 @@ pub(in crate::engine) struct Sought<'a> {
 
 /// Finds each pair that is sought; leaves the boxes filled.
 pub(super) fn pairs(grid: &mut Grid, rows: &[Row], sought: Sought<'_>, party: &mut Party) {
-    let spots = rows.iter().map(|row| Spot::new(row.x, row.radius));
-    grid.fill(sought.tol, spots);
+    let spot = |p: usize| Spot::new(rows[p].x, rows[p].radius);
+    grid.fill(rows.len(), sought.tol, sought.threads, spot);
     let late = grid.levels.len() > 1;
     party.search(rows.len(), late, sought, &Around(grid));
 }

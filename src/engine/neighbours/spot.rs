@@ -29,6 +29,7 @@ impl Spot {
 }
 
 /// What spots span.
+#[derive(Clone, Copy)]
 pub(super) struct Bounds {
     /// Lower and upper corner [m].
     pub(super) low: [f64; 2],
@@ -59,5 +60,18 @@ impl Bounds {
         self.radii = [radius.smaller(self.radii[0]), radius.larger(self.radii[1])];
         let reach = 2.0 * radius + tol;
         self.squares += reach * reach;
+    }
+
+    /// What two stretches of them span together.
+    pub(super) fn and(self, other: Self) -> Self {
+        Self {
+            low: [0, 1].map(|k| self.low[k].smaller(other.low[k])),
+            high: [0, 1].map(|k| self.high[k].larger(other.high[k])),
+            radii: [
+                self.radii[0].smaller(other.radii[0]),
+                self.radii[1].larger(other.radii[1]),
+            ],
+            squares: self.squares + other.squares,
+        }
     }
 }

@@ -4,6 +4,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::engine::lanes::Lanes;
 use crate::engine::particles::Row;
+use crate::engine::threads::Threads;
+
+/// Square of the furthest move [m²], and lower and upper corner of the box of all [m].
+type Moves = (f64, [f64; 2], [f64; 2]);
 
 /// Way since the list was made.
 #[derive(Debug, Default, Serialize, Deserialize)]
@@ -71,7 +75,7 @@ impl Travel {
 
     /// Looks how far particles really moved, but for the flow. What falls together comes no nearer: no two
     /// can have, by more than the box of all moves is wide.
-    pub(in crate::engine) fn measure(&mut self, rows: &[Row]) {
+    pub(in crate::engine) fn measure(&mut self, rows: &[Row], threads: &Threads) {
         let [old, new] = &self.frame;
         let size = [old[1][0] - old[0][0], old[2][1] - old[0][1]];
         let still = old == new;
@@ -85,14 +89,24 @@ impl Travel {
                 new[0][k] + share[0] * along[0] + share[1] * along[1]
             })
         };
-        let (mut square, mut low, mut high) = (0.0, [0.0; 2], [0.0; 2]);
-        for (row, old) in rows.iter().zip(&self.reference) {
-            let old = carried(*old);
-            let d = [row.x[0] - old[0], row.x[1] - old[1]];
-            square = (d[0] * d[0] + d[1] * d[1]).larger(square);
-            low = [0, 1].map(|k| d[k].smaller(low[k]));
-            high = [0, 1].map(|k| d[k].larger(high[k]));
-        }
+        let none = (0.0, [0.0; 2], [0.0; 2]);
+        let moves = |first: usize, reference: &mut [[f64; 2]]| {
+            let (mut square, mut low, mut high) = none;
+            for (row, old) in rows[first..].iter().zip(reference) {
+                let old = carried(*old);
+                let d = [row.x[0] - old[0], row.x[1] - old[1]];
+                square = (d[0] * d[0] + d[1] * d[1]).larger(square);
+                low = [0, 1].map(|k| d[k].smaller(low[k]));
+                high = [0, 1].map(|k| d[k].larger(high[k]));
+            }
+            (square, low, high)
+        };
+        let all = |a: Moves, b: Moves| {
+            let low = [0, 1].map(|k| a.1[k].smaller(b.1[k]));
+            let high = [0, 1].map(|k| a.2[k].larger(b.2[k]));
+            (a.0.larger(b.0), low, high)
+        };
+        let (square, low, high): Moves = threads.join(&mut self.reference, none, moves, all);
         let width = [high[0] - low[0], high[1] - low[1]];
         let diagonal = (width[0] * width[0] + width[1] * width[1]).sqrt();
         self.furthest = square.sqrt();
@@ -119,7 +133,7 @@ mod tests {
             x,
             ..Row::default()
         };
-        travel.measure(&by.iter().map(row).collect::<Vec<_>>());
+        travel.measure(&by.iter().map(row).collect::<Vec<_>>(), &Threads::default());
         travel
     }
 
@@ -154,10 +168,11 @@ mod tests {
         let mut travel = moved(&[[0.0; 2]]);
         // To the right by as much as it is up, and up by one.
         travel.flow_on(0.0, |[x, y]| [x + y, y + 1.0]);
-        travel.measure(&[Row {
+        let row = Row {
             x: [0.0, 1.5],
             ..Row::default()
-        }]);
+        };
+        travel.measure(&[row], &Threads::default());
         assert_eq!(travel.furthest, 0.5);
     }
 }

@@ -12,6 +12,8 @@
     reason = "lends a borrowed task to workers for the length of one call"
 )]
 
+mod together;
+
 use std::cell::UnsafeCell;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -164,23 +166,6 @@ impl Threads {
     /// Into how many parts so many items are worth cutting.
     pub fn parts(&self, items: usize) -> usize {
         self.count().min(items / LEAST_SHARE).max(1)
-    }
-
-    /// Runs `work` on stretches of items, told where each begins.
-    pub fn each<T: Send>(&self, items: &mut [T], work: impl Fn(usize, &mut [T]) + Sync) {
-        let (total, parts) = (items.len(), self.parts(items.len()));
-        if parts == 1 {
-            return work(0, items);
-        }
-        let mut jobs: [(usize, &mut [T]); MAX_THREADS] = std::array::from_fn(|_| (0, &mut [][..]));
-        let mut rest = items;
-        for (part, job) in jobs.iter_mut().enumerate().take(parts) {
-            let stretch = share(total, parts, part);
-            let (own, others) = rest.split_at_mut(stretch.len());
-            *job = (stretch.start, own);
-            rest = others;
-        }
-        self.run(&mut jobs[..parts], |(first, items)| work(*first, items));
     }
 
     /// Runs `work` on every job, one job per thread, and waits for all.

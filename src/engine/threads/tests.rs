@@ -3,6 +3,39 @@
 use super::*;
 
 #[test]
+fn stretches_answer_in_their_order() {
+    for count in [1, 2, 3] {
+        let threads = Threads::new(count);
+        for total in [0, 1, 127, 128 * count, 1000] {
+            let mut items = vec![1u64; total];
+            let span = |first: usize, items: &mut [u64]| {
+                for item in items.iter_mut() {
+                    *item += 1;
+                }
+                Some([first, first + items.len()])
+            };
+            // Each begins where the one before ends.
+            let join = |a: Option<[usize; 2]>, b: Option<[usize; 2]>| match (a, b) {
+                (Some(a), Some(b)) => (a[1] == b[0]).then_some([a[0], b[1]]),
+                (a, b) => a.or(b),
+            };
+            let all = threads.join(&mut items, None, span, join);
+            assert_eq!(all, Some([0, total]), "{count} threads");
+            assert!(items.iter().all(|item| *item == 2));
+        }
+    }
+}
+
+#[test]
+fn both_things_are_done_once() {
+    for count in [1, 2, 5] {
+        let (mut one, mut other) = (0, 0);
+        Threads::new(count).both(|| one += 1, || other += 2);
+        assert_eq!([one, other], [1, 2]);
+    }
+}
+
+#[test]
 fn every_job_is_done_once() {
     let threads = Threads::new(3);
     for round in 0..200u64 {
