@@ -132,8 +132,8 @@ impl ContactList {
         std::mem::take(&mut self.work.old)
     }
 
-    /// Takes the buffer of [`Self::rebuild`] back.
-    pub fn give_back(&mut self, old: Vec<u32>) {
+    /// Takes the buffer back that making the list gave.
+    pub(in crate::engine) fn give_back(&mut self, old: Vec<u32>) {
         self.work.old = old;
     }
 
