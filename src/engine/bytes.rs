@@ -20,7 +20,7 @@ impl World {
     /// edges of a cell are few.
     pub fn bytes(&self) -> Bytes {
         let cell = self.cell().is_some();
-        let [contact, particle] = ContactList::bytes(cell);
+        let [contact, particle] = ContactList::bytes(cell, self.threads.count() > 1);
         let law: usize = self.pass().bytes().iter().sum();
         let ledger = if self.ledger.is_some() {
             super::ledger::BYTES_PER_PARTICLE

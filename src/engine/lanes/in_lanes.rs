@@ -12,7 +12,7 @@ pub trait InLanes {
 }
 
 impl Isa {
-    /// Does some work with these instructions, or with none of its own where the processor has not them.
+    /// Does some work with these instructions, or with none of its own where the processor does not have them.
     pub fn run(self, work: impl InLanes) {
         #[cfg(target_arch = "x86_64")]
         if self > Self::Baseline && self.is_here() {

@@ -43,25 +43,38 @@ impl Found {
         self.late.append(&mut other.late);
     }
 
-    /// Pairs whose second body looked take their places among the others, ascending.
-    pub(super) fn sort_in(&mut self, spare: &mut Self) {
+    /// Pairs whose second body looked take their places among the others, ascending: from the back, so
+    /// that no second list is needed. `spare` is a buffer.
+    pub(super) fn sort_in(&mut self, spare: &mut Images) {
         if self.late.is_empty() {
             return;
         }
         self.late.sort_unstable();
+        let mut left = self.early.len();
+        let mut to = left + self.late.len();
+        self.early.resize(to, [0; 2]);
+        let mut images = self.images.behind();
         spare.clear();
-        spare.early.reserve(self.early.capacity());
-        let mut late = self.late.iter().copied().peekable();
-        for early in self.early.iter().copied().zip(self.images.each()) {
-            while let Some((pair, image)) = late.next_if(|late| *late < early) {
-                spare.early(pair, image);
+        for late in self.late.iter().rev() {
+            while left > 0 {
+                let early = (self.early[left - 1], images.at(left - 1));
+                if early < *late {
+                    break;
+                }
+                (left, to) = (left - 1, to - 1);
+                self.early[to] = early.0;
+                spare.push(to, early.1);
             }
-            spare.early(early.0, early.1);
+            to -= 1;
+            self.early[to] = late.0;
+            spare.push(to, late.1);
         }
-        late.for_each(|(pair, image)| spare.early(pair, image));
+        for k in (0..left).rev() {
+            spare.push(k, images.at(k));
+        }
+        spare.turn_round();
+        std::mem::swap(&mut self.images, spare);
         self.late.clear();
-        std::mem::swap(&mut self.early, &mut spare.early);
-        std::mem::swap(&mut self.images, &mut spare.images);
     }
 }
 
@@ -72,7 +85,8 @@ mod tests {
 
     #[test]
     fn what_several_found_becomes_one_ascending_list() {
-        let [mut first, mut second, mut spare] = std::array::from_fn(|_| Found::default());
+        let [mut first, mut second] = std::array::from_fn(|_| Found::default());
+        let mut spare = Images::default();
         let images = [HERE, [1, 0], [-1, 2]];
         for _ in 0..2 {
             first.clear();

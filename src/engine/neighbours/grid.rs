@@ -1,7 +1,7 @@
 //! Boxes: particles binned by centre, so that only near ones are compared.
 //!
 //! Particles of like size, within a factor of two or, if all are, a little more, share a level of boxes
-//! as high as the largest of them reach, and narrower. One that looks for neighbours looks at the boxes around it on
+//! as high as the largest of them reach and, where there may be as many, a quarter as wide. One that looks for neighbours looks at the boxes around it on
 //! its own level and on the coarser ones: a ball among sand, or sizes over three decades, cost hardly
 //! more than equal ones.
 
@@ -54,6 +54,8 @@ impl Grid {
         threads: &Threads,
         spot: impl Fn(usize) -> Spot + Sync,
     ) {
+        // Boxes and indices, also as numbers in lanes.
+        assert!(count < 1 << 30, "too many to number");
         let mut spots = std::mem::take(&mut self.spots);
         spots.resize(count, Spot::default());
         let lay_out = |first: usize, spots: &mut [Spot]| {
@@ -65,6 +67,7 @@ impl Grid {
             bounds
         };
         let bounds = threads.join(&mut spots, Bounds::default(), lay_out, Bounds::and);
+        self.starts.clear();
         self.lay(&spots, tol, &bounds);
         threads.each(&mut spots, |_, spots| {
             for spot in spots {
@@ -73,7 +76,6 @@ impl Grid {
         });
         self.spots = spots;
         let boxes = self.levels.last().map_or(0, Level::end);
-        self.starts.clear();
         self.starts.resize(boxes + 2, 0);
         for spot in &self.spots {
             self.starts[spot.home as usize + 1] += 1;

@@ -41,6 +41,16 @@ impl Images {
         Ahead(&self.0[self.0.partition_point(|item| (item.0 as usize) < k)..])
     }
 
+    /// Those of pairs that are asked for in descending order.
+    pub(super) fn behind(&self) -> Behind<'_> {
+        Behind(&self.0)
+    }
+
+    /// Turns the order round: they were noted from the last to the first.
+    pub(super) fn turn_round(&mut self) {
+        self.0.reverse();
+    }
+
     /// Adds those of further pairs, the first of which is pair k.
     pub(super) fn append(&mut self, k: usize, others: &Self) {
         let moved = others
@@ -89,6 +99,23 @@ impl Ahead<'_> {
     }
 }
 
+/// The images of pairs that have not been passed, from the last.
+pub(super) struct Behind<'a>(&'a [(u32, Image)]);
+
+impl Behind<'_> {
+    /// That of pair k, which is not behind the last one asked for.
+    pub(super) fn at(&mut self, k: usize) -> Image {
+        while let Some((&(pair, image), others)) = self.0.split_last() {
+            match (pair as usize).cmp(&k) {
+                Ordering::Greater => self.0 = others,
+                Ordering::Equal => return image,
+                Ordering::Less => break,
+            }
+        }
+        HERE
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -118,6 +145,13 @@ mod tests {
             for k in (0..all.len()).flat_map(|k| std::iter::repeat_n(k, k % 3)) {
                 prop_assert_eq!(ahead.at(k), all[k]);
             }
+            let mut behind = images.behind();
+            let mut turned = Images::default();
+            for k in (0..all.len()).rev() {
+                turned.push(k, behind.at(k));
+            }
+            turned.turn_round();
+            prop_assert_eq!(&turned, &images);
             // In two parts, put together.
             let [mut first, mut second] = [Images::default(), Images::default()];
             all[..half].iter().enumerate().for_each(|(k, &image)| first.push(k, image));

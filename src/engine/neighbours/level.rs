@@ -24,7 +24,7 @@ pub(super) const BOXES_PER_PARTICLE: usize = 2;
 
 /// Boxes for a height, where there may be as many: boxes of a row lie one after another, so that to look at
 /// narrow ones costs nothing and leaves less that is looked at in vain.
-const NARROW: usize = 4;
+const NARROW: [usize; 2] = [4, 2];
 
 /// Boxes are wider than they must be by this share, more than rounding can move a centre.
 const SPARE: f64 = 1e-6;
@@ -40,7 +40,8 @@ impl Level {
             columns * (span[1] / size + 1.0) > limit
         };
         let mut size = least;
-        let aside = if too_many(size, NARROW) { 1 } else { NARROW };
+        let fits = |aside: &usize| !too_many(least, *aside);
+        let aside = NARROW.into_iter().find(fits).unwrap_or(1);
         while too_many(size, aside) {
             size *= 1.25;
         }

@@ -186,7 +186,8 @@ impl ContactList {
     pub(in crate::engine) fn unpack(&mut self, particles: usize, walls: usize) -> bool {
         let [pairs, at_walls, all] = [self.pairs.len(), self.walls.len(), self.len()];
         let known = |p: u32| (p as usize) < particles;
-        let fits = self.pairs.is_sorted_by_key(|pair| pair[0])
+        let fits = self.pairs.is_sorted()
+            && (self.rebuilds == 0 || self.travel.particles() == particles)
             && self.pairs.iter().flatten().all(|&p| known(p))
             && self.walls.is_sorted_by_key(|wall| wall.particle)
             && (self.walls.iter()).all(|at| known(at.particle) && (at.wall as usize) < walls)
@@ -274,13 +275,17 @@ impl ContactList {
             .collect()
     }
 
-    /// Bytes of the list per contact and per particle, buffers included, in a periodic cell or not;
-    /// pairs that reach over an edge of one are few.
-    pub(in crate::engine) fn bytes(cell: bool) -> [usize; 2] {
+    /// Bytes of the list per contact and per particle, buffers included, in a periodic cell or not, made
+    /// by several threads or not; pairs that reach over an edge of a cell or between sizes are few.
+    pub(in crate::engine) fn bytes(cell: bool, shared: bool) -> [usize; 2] {
         let pair = size_of::<[u32; 2]>();
         // Two lists of pairs, and the old place of each.
         let place = size_of::<u32>();
-        let contact = 2 * pair + size_of::<Slot>() + size_of::<Status>() + place;
+        let mut contact = 2 * pair + size_of::<Slot>() + size_of::<Status>() + place;
+        if shared {
+            // What each thread found.
+            contact += pair;
+        }
         let particle = Travel::BYTES + Whose::BYTES + Grid::BYTES;
         if cell {
             // Pairs as they are seen.
@@ -316,6 +321,12 @@ mod tests {
         // A particle that is not there, another order, a slot too few, and a force on nobody.
         assert!(!list(&[[0, 1], [0, 2], [1, 2]]).unpack(2, 0));
         assert!(!list(&[[1, 2], [0, 1]]).unpack(3, 0));
+        assert!(!list(&[[0, 2], [0, 1]]).unpack(3, 0));
+        let mut made = list(&[[0, 1]]);
+        made.rebuilds = 1;
+        assert!(!made.unpack(2, 0));
+        made.travel.begin([[0.0; 2]; 2].into_iter());
+        assert!(made.unpack(2, 0));
         let mut short = list(&[[0, 1], [1, 2]]);
         short.slots.pop();
         assert!(!short.unpack(3, 0));

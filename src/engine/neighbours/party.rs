@@ -1,6 +1,7 @@
 //! A search that several threads share: each looks around a stretch of the particles.
 
 use super::found::Found;
+use super::images::Images;
 use super::near::Near;
 use super::partner::Partner;
 use super::search::Sought;
@@ -11,7 +12,7 @@ use crate::engine::threads::share;
 #[derive(Debug, Default)]
 pub(super) struct Party {
     searchers: Vec<Searcher>,
-    spare: Found,
+    spare: Images,
 }
 
 /// One who searches.

@@ -125,10 +125,10 @@ impl Look for Around<'_> {
         for few in by_few(stretch.clone()) {
             self.grid.gather::<V>(few.clone(), near);
             for (k, p) in few.enumerate() {
-                let (near, own) = near.of(k);
+                let (noted, own) = near.of(k);
                 let (home, p) = (strayed[p], p as u32);
                 partners.clear();
-                for (n, &k) in near.iter().enumerate() {
+                for (n, &k) in noted.iter().enumerate() {
                     let (j, shift) = self.at.meant(k);
                     let away = strayed[j as usize];
                     let image = [0, 1].map(|k| shift[k] - away[k] + home[k]);
@@ -210,5 +210,51 @@ mod tests {
                 prop_assert_eq!(&found, &all, "{}", isa);
             }
         }
+    }
+
+    /// Sizes of two kinds, some strayed, in shares of several threads: as one alone finds them.
+    #[test]
+    fn threads_find_what_one_finds() {
+        let cell = Cell {
+            corner: [0.0; 2],
+            edges: [[25.0, 0.0], [3.0, 20.0]],
+        };
+        let rows: Vec<Row> = (0..500)
+            .map(|k| Row {
+                x: [
+                    (k % 25) as f64 + 25.0 * f64::from(k % 7 == 0),
+                    (k / 25) as f64,
+                ],
+                radius: if k % 10 == 0 { 2.0 } else { 0.51 },
+                ..Row::default()
+            })
+            .collect();
+        let found = |threads: usize| {
+            let (mut party, mut grid) = (Party::default(), Grid::default());
+            let sought = Sought {
+                tol: 0.05,
+                room: 0,
+                isa: Isa::default(),
+                threads: &Threads::new(threads),
+            };
+            for _ in 0..2 {
+                Tiling::default().pairs(&mut grid, (&rows, &cell), sought, &mut party);
+            }
+            assert!(grid.levels.len() > 1);
+            let found = party.found();
+            let all: Vec<_> = found
+                .early
+                .iter()
+                .copied()
+                .zip(found.images.each())
+                .collect();
+            assert!(all.is_sorted(), "{threads}");
+            all
+        };
+        let one = found(1);
+        let away = one.iter().filter(|(_, image)| *image != HERE).count();
+        assert!(one.len() > 1500 && away > 100, "{} {away}", one.len());
+        assert_eq!(found(2), one);
+        assert_eq!(found(3), one);
     }
 }

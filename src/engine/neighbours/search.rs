@@ -45,20 +45,20 @@ impl Look for Around<'_> {
         for few in by_few(stretch.clone()) {
             self.0.gather::<V>(few.clone(), near);
             for (k, p) in few.enumerate() {
-                let (near, own) = near.of(k);
+                let (noted, own) = near.of(k);
                 let p = p as u32;
                 let mut after = own;
-                for other in own..near.len() {
-                    if near[other] < p {
-                        found.late([near[other], p], HERE);
+                for other in own..noted.len() {
+                    if noted[other] < p {
+                        found.late([noted[other], p], HERE);
                     } else {
-                        near[after] = near[other];
+                        noted[after] = noted[other];
                         after += 1;
                     }
                 }
-                let near = &mut near[..after];
-                sort_few(near, u32::MAX);
-                found.early.extend(near.iter().map(|&j| [p, j]));
+                let partners = &mut noted[..after];
+                sort_few(partners, u32::MAX);
+                found.early.extend(partners.iter().map(|&j| [p, j]));
             }
         }
     }
@@ -194,6 +194,54 @@ mod tests {
             wall_pairs(Some(&grid), &rows, &walls, tol, &mut by_boxes);
             wall_pairs(None, &rows, &walls, tol, &mut by_all);
             prop_assert_eq!(by_boxes, by_all);
+        }
+    }
+
+    /// Equal particles on lattices that begin where a box does, some as far apart as they reach less a
+    /// hair: neighbours stand on the edges of boxes.
+    #[test]
+    fn those_on_the_edges_of_boxes_are_found() {
+        let (radius, tol) = (0.5, 0.25);
+        // Columns, spacings for a reach, how far away one more stands, and boxes to look at aside: a
+        // crowd, a lattice, and a string with so much room around it that boxes are large.
+        for (columns, finer, away, aside) in
+            [(30, 2.0, 0.0, 4), (30, 1.0, 0.0, 2), (900, 1.0, 300.0, 1)]
+        {
+            let spacing = (2.0 * radius + tol) / finer * (1.0 - 1e-12);
+            let row = |x: [f64; 2]| Row {
+                x: x.map(|x| x * spacing),
+                radius,
+                ..Row::default()
+            };
+            let at = |k: usize| [(k % columns) as f64, (k / columns) as f64];
+            let mut rows: Vec<Row> = (0..900).map(|k| row(at(k))).collect();
+            rows[899].x[1] += away;
+            let (mut grid, mut party) = (Grid::default(), Party::default());
+            let (isa, threads) = (Isa::default(), &Threads::default());
+            pairs(
+                &mut grid,
+                &rows,
+                Sought {
+                    tol,
+                    room: 0,
+                    isa,
+                    threads,
+                },
+                &mut party,
+            );
+            let spots: Vec<Spot> = (rows.iter())
+                .map(|row| Spot::new(row.x, row.radius))
+                .collect();
+            let near = |p: usize| {
+                let spots = &spots;
+                let near = move |q: &usize| spots[p].is_near(&spots[*q], tol);
+                (p + 1..900).filter(near).map(move |q| [p as u32, q as u32])
+            };
+            assert_eq!(
+                party.found().early,
+                (0..900).flat_map(near).collect::<Vec<_>>()
+            );
+            assert_eq!(grid.levels[0].aside, aside);
         }
     }
 }

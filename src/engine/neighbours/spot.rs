@@ -36,7 +36,8 @@ pub(super) struct Bounds {
     pub(super) high: [f64; 2],
     /// Smallest and largest radius [m].
     pub(super) radii: [f64; 2],
-    /// Sum of the squares of what each reaches [m²].
+    /// Sum of the squares of what each reaches [m²]; its last bits are those of the number of threads, and
+    /// nothing but how boxes are laid depends on them.
     pub(super) squares: f64,
 }
 

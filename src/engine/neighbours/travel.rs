@@ -73,8 +73,9 @@ impl Travel {
         self.stretch += stretched;
     }
 
-    /// Looks how far particles really moved, but for the flow. What falls together comes no nearer: no two
-    /// can have, by more than the box of all moves is wide.
+    /// Looks how far particles really moved, but for the flow. No two can have come nearer by more than the
+    /// diagonal of a box around all moves and none, nor than twice the furthest: what falls on what lies
+    /// counts its way once.
     pub(in crate::engine) fn measure(&mut self, rows: &[Row], threads: &Threads) {
         let [old, new] = &self.frame;
         let size = [old[1][0] - old[0][0], old[2][1] - old[0][1]];
@@ -138,11 +139,11 @@ mod tests {
     }
 
     #[test]
-    fn what_falls_together_comes_no_nearer() {
+    fn what_falls_on_what_lies_comes_nearer_by_its_way() {
         let nearing = |by: &[[f64; 2]]| moved(by).nearing;
-        // The way of those that fall counts once: something lies still, as a rule.
-        assert_eq!(nearing(&[[0.0, -5.0], [0.0, -5.0]]), 5.0);
         assert_eq!(nearing(&[[0.0, -5.0], [0.0, 0.0]]), 5.0);
+        // It counts as well where all fall: something lies still, as a rule, if only a wall.
+        assert_eq!(nearing(&[[0.0, -5.0], [0.0, -5.0]]), 5.0);
         assert_eq!(nearing(&[[0.0, -5.0], [0.0, 1.0]]), 6.0);
         assert_eq!(nearing(&[[-3.0, 4.0], [3.0, -4.0]]), 10.0);
         // Not more than twice the furthest: a box has corners where nobody is.

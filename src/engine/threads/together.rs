@@ -15,7 +15,8 @@ impl Threads {
         self.join(items, (), work, |(), ()| ());
     }
 
-    /// The same, and joins what the stretches answer, in their order, where they begin with `none`.
+    /// The same, and joins what the stretches answer, in their order. How many there are must not matter:
+    /// to join with `none` changes nothing.
     pub fn join<T: Send, R: Copy + Send>(
         &self,
         items: &mut [T],
