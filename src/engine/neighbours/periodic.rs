@@ -222,8 +222,8 @@ mod tests {
         let rows: Vec<Row> = (0..500)
             .map(|k| Row {
                 x: [
-                    (k % 25) as f64 + 25.0 * f64::from(k % 7 == 0),
-                    (k / 25) as f64,
+                    f64::from(k % 25) + 25.0 * f64::from(k % 7 == 0),
+                    f64::from(k / 25),
                 ],
                 radius: if k % 10 == 0 { 2.0 } else { 0.51 },
                 ..Row::default()
