@@ -7,7 +7,7 @@ const SPARE: usize = 8;
 
 /// N numbers each of several things.
 #[derive(Debug)]
-pub struct Columns<const N: usize> {
+pub(in crate::engine) struct Columns<const N: usize> {
     /// Each is [`SPARE`] longer than there are things, if there are any.
     columns: [Vec<f64>; N],
     len: usize,
@@ -24,7 +24,7 @@ impl<const N: usize> Default for Columns<N> {
 
 impl<const N: usize> Columns<N> {
     /// Of so many things from now on; what their numbers are is to be [put](Self::put) there.
-    pub fn resize(&mut self, len: usize) {
+    pub(in crate::engine) fn resize(&mut self, len: usize) {
         self.len = len;
         for column in &mut self.columns {
             column.resize(len + SPARE, 0.0);
@@ -32,25 +32,20 @@ impl<const N: usize> Columns<N> {
     }
 
     /// Number of things.
-    pub fn len(&self) -> usize {
+    pub(in crate::engine) fn len(&self) -> usize {
         self.len
-    }
-
-    /// Whether there are none.
-    pub fn is_empty(&self) -> bool {
-        self.len == 0
     }
 
     /// Puts the numbers of a thing.
     #[inline(always)]
-    pub fn put(&mut self, at: usize, numbers: [f64; N]) {
+    pub(in crate::engine) fn put(&mut self, at: usize, numbers: [f64; N]) {
         for (column, number) in self.columns.iter_mut().zip(numbers) {
             column[at] = number;
         }
     }
 
     /// The numbers of one column.
-    pub fn column(&self, k: usize) -> &[f64] {
+    pub(in crate::engine) fn column(&self, k: usize) -> &[f64] {
         &self.columns[k][..self.len]
     }
 
@@ -59,7 +54,7 @@ impl<const N: usize> Columns<N> {
     /// # Panics
     /// If there is no such thing.
     #[inline(always)]
-    pub fn read<V: Lanes>(&self, at: usize) -> [V; N] {
+    pub(in crate::engine) fn read<V: Lanes>(&self, at: usize) -> [V; N] {
         const { assert!(V::COUNT <= SPARE) };
         assert!(at < self.len, "nothing stands at {at} of {}", self.len);
         let mut lanes = [V::all(0.0); N];

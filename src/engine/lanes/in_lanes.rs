@@ -4,15 +4,15 @@
 use super::{Eight, Four};
 use super::{Isa, Lanes, Scalars};
 
-/// Work that can be done in lanes of any width. All that it calls must be inlined, as the instructions are
-/// those of one function.
+/// Work that can be done in lanes of any width. All that it calls must be inlined, closures, too: only
+/// one function has the instructions.
 pub trait InLanes {
     /// Does it in lanes of this kind.
     fn run<V: Lanes>(self);
 }
 
 impl Isa {
-    /// Does some work with these instructions, or with none of its own where the processor does not have them.
+    /// Does some work with these instructions, or as the baseline does where the processor lacks them.
     pub fn run(self, work: impl InLanes) {
         #[cfg(target_arch = "x86_64")]
         if self > Self::Baseline && self.is_here() {

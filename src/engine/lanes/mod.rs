@@ -25,7 +25,7 @@ use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 pub use avx2::Four;
 #[cfg(target_arch = "x86_64")]
 pub use avx512::Eight;
-pub use columns::Columns;
+pub(super) use columns::Columns;
 pub use cube_root::cube_root;
 pub use in_lanes::InLanes;
 pub use isa::Isa;

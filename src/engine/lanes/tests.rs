@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 
-use super::{Isa, Lanes};
+use super::{InLanes, Isa, Lanes};
 use crate::engine::particles::Row;
 
 /// Everything the trait can do, on the numbers of two columns.
@@ -102,16 +102,21 @@ fn results<V: Lanes>(
     )
 }
 
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2")]
-fn with_four(a: &[f64; 8], b: &[f64; 8], rows: &[Row; 9], pairs: &[[u32; 2]; 8]) -> Results {
-    results::<super::Four>(a, b, rows, pairs)
+/// Results in the lanes of some instructions.
+struct Asked<'a> {
+    a: &'a [f64; 8],
+    b: &'a [f64; 8],
+    rows: &'a [Row; 9],
+    pairs: &'a [[u32; 2]; 8],
+    answer: &'a mut Option<(usize, Results)>,
 }
 
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx512f,avx512dq,avx512vl")]
-fn with_eight(a: &[f64; 8], b: &[f64; 8], rows: &[Row; 9], pairs: &[[u32; 2]; 8]) -> Results {
-    results::<super::Eight>(a, b, rows, pairs)
+impl InLanes for Asked<'_> {
+    #[inline(always)]
+    fn run<V: Lanes>(self) {
+        let results = results::<V>(self.a, self.b, self.rows, self.pairs);
+        *self.answer = Some((V::COUNT, results));
+    }
 }
 
 fn number() -> impl Strategy<Value = f64> {
@@ -137,7 +142,6 @@ proptest! {
     }
 }
 
-#[cfg(target_arch = "x86_64")]
 proptest! {
     #[test]
     fn all_widths_give_the_same_bits(
@@ -157,18 +161,17 @@ proptest! {
         let same = |other: &Results| {
             let nan = |bits: u64| f64::from_bits(bits).is_nan();
             let pairs = one.0.iter().flatten().zip(other.0.iter().flatten());
-            pairs.into_iter().all(|(&p, &q)| p == q || nan(p) && nan(q)) && one.1 == other.1 && one.2 == other.2
+            let numbers = pairs.into_iter().all(|(&p, &q)| p == q || nan(p) && nan(q));
+            numbers && one.1 == other.1 && one.2 == other.2
         };
-        prop_assert!(same(&results::<super::Scalars>(&a, &b, &rows, &pairs)));
-        if Isa::Avx2.is_here() {
-            // SAFETY: it is here.
-            let wide = unsafe { with_four(&a, &b, &rows, &pairs) };
-            prop_assert!(same(&wide));
-        }
-        if Isa::Avx512.is_here() {
-            // SAFETY: it is here.
-            let wide = unsafe { with_eight(&a, &b, &rows, &pairs) };
-            prop_assert!(same(&wide));
+        for isa in Isa::ALL.into_iter().filter(|isa| isa.is_here()) {
+            let mut answer = None;
+            let (a, b, rows, pairs) = (&a, &b, &rows, &pairs);
+            isa.run(Asked { a, b, rows, pairs, answer: &mut answer });
+            let (lanes, results) = answer.expect("it was run");
+            // What has no instructions of its own takes four numbers at a time.
+            prop_assert_eq!(lanes, isa.lanes().max(4));
+            prop_assert!(same(&results), "{}", isa);
         }
     }
 }
