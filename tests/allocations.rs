@@ -13,7 +13,7 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 
 use ballast::engine::World;
-use ballast::engine::neighbours::list::ContactList;
+use ballast::engine::neighbours::room;
 use ballast::engine::setup::{
     Body, BoundarySetup, Damping, Dashpot, Gravity, Setup, TimeStepChoice,
 };
@@ -197,7 +197,7 @@ fn the_bytes_that_check_prints_are_those_lent() {
         assert!(listed > 29 * n / 10, "{listed}");
         let said = bytes.particle * n + bytes.contact * listed;
         // Room that is kept for more contacts, and for those at walls, is lent but never touched.
-        let [pairs, at_walls] = ContactList::room(n);
+        let [pairs, at_walls] = room(n);
         let at_wall = 2 * size_of::<WallPair>() + size_of::<WallTouch>();
         let unused = (pairs + at_walls - listed) * bytes.contact + at_walls * at_wall;
         let share = lent as f64 / (said + unused) as f64;

@@ -1,7 +1,6 @@
 //! How much memory a world takes, counted by what is kept of each particle and contact.
 
 use super::World;
-use super::neighbours::list::ContactList;
 use super::particles::{Mobility, Particles, Row, Sum};
 
 /// Memory of a world.
@@ -20,7 +19,7 @@ impl World {
     /// edges of a cell are few.
     pub fn bytes(&self) -> Bytes {
         let cell = self.cell().is_some();
-        let [contact, particle] = ContactList::bytes(cell, self.threads.count() > 1);
+        let [contact, particle] = self.contacts.bytes(cell, self.threads.count() > 1);
         let law: usize = self.pass().bytes().iter().sum();
         let ledger = if self.ledger.is_some() {
             super::ledger::BYTES_PER_PARTICLE

@@ -10,6 +10,7 @@ pub mod bytes;
 pub mod contact;
 pub mod contact_report;
 pub mod edit;
+mod extent;
 pub mod fault;
 mod growth;
 pub mod hash;

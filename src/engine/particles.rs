@@ -4,6 +4,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::extent::Extent;
 use super::rows::Rows;
 use super::setup::{Body, ParticleSetup};
 
@@ -241,13 +242,11 @@ impl Particles {
 
     /// Bounding box of the centres [m], relative to the origin: lower and upper corner.
     pub fn extent(&self) -> [[f64; 2]; 2] {
-        let mut low = [f64::INFINITY; 2];
-        let mut high = [f64::NEG_INFINITY; 2];
+        let mut extent = Extent::default();
         for row in &self.row {
-            low = [low[0].min(row.x[0]), low[1].min(row.x[1])];
-            high = [high[0].max(row.x[0]), high[1].max(row.x[1])];
+            extent.take_in(row.x);
         }
-        [low, high]
+        [extent.low, extent.high]
     }
 }
 

@@ -8,7 +8,6 @@ use super::boundary::{Boundary, straining};
 use super::contact::pass::View;
 use super::fault::Fault;
 use super::motion::{self, Dragged, Inputs, Sums, Watch};
-use super::neighbours::list::ContactList;
 use super::neighbours::search::Sought;
 use super::neighbours::{Slot, Status};
 use super::particles::{Row, Sum};
@@ -23,8 +22,9 @@ use super::wall_contact;
 /// errors, where an order of magnitude is enough.
 const SIZE_EVERY: u64 = 64;
 
-/// A list that is measured goes on if less than this share of TOL is spent: to measure costs a twentieth of
-/// making a list, and from here on half of what is left is won.
+/// A list that is measured goes on if less than this share of TOL is spent. To measure costs a twentieth
+/// of making a list; where it shows that half of what was supposed is spent, as where all fall, measures
+/// come after half of what is left, and that after .875 would win less than it costs.
 const SPENT: f64 = 0.85;
 
 /// Cycles, and powers of two beyond, after which a list that lasts is asked whether it is too wide:
@@ -253,7 +253,6 @@ impl World {
         let mut contacts = std::mem::take(&mut self.contacts);
         let sought = Sought {
             tol: self.tol,
-            room: ContactList::room(self.particles.row.len())[0],
             isa: self.isa,
             threads: &self.threads,
         };

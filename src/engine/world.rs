@@ -338,7 +338,7 @@ impl World {
 
     /// Contacts that memory is kept ready for.
     pub(super) fn room(&self) -> usize {
-        ContactList::room(self.particles.len()).iter().sum()
+        super::neighbours::room(self.particles.len()).iter().sum()
     }
 
     /// What contact k is prepared from.

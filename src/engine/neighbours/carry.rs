@@ -1,7 +1,6 @@
 //! What is kept for each contact follows the list to its new places, within its own buffer.
 
 use std::cmp::Ordering;
-use std::iter::{Enumerate, Peekable};
 
 use super::images::Images;
 
@@ -49,15 +48,19 @@ pub(in crate::engine) fn carry<T: Copy>(
 }
 
 /// Looks sorted new pairs, from a certain one on, and their images up among sorted old ones: notes the
-/// place of each there, or [`NEW`].
-pub(super) fn places(
-    (old, old_images): (&[[u32; 2]], &Images),
-    (new, new_images): (&[[u32; 2]], &Images),
+/// place of each there, or [`NEW`]. `bodies` answers which two a pair is of.
+pub(super) fn places<T>(
+    bodies: impl Fn(&T) -> [u32; 2],
+    (old, old_images): (&[T], &Images),
+    (new, new_images): (&[T], &Images),
     from: usize,
     noted: &mut [u32],
 ) {
-    // Orders as the pair does.
-    let number = |pair: &[u32; 2]| u64::from(pair[0]) << 32 | u64::from(pair[1]);
+    // Orders as the two do.
+    let number = |pair: &T| {
+        let [i, j] = bodies(pair);
+        u64::from(i) << 32 | u64::from(j)
+    };
     let new = &new[from..];
     let Some(first) = new.first().map(number) else {
         return;
@@ -71,7 +74,7 @@ pub(super) fn places(
         }
         *noted = NEW;
         // In a small cell two bodies meet more than once.
-        while old.get(at) == Some(pair) {
+        while old.get(at).is_some_and(|pair| number(pair) == wanted) {
             match old_images.at(at).cmp(&new_images.at(k)) {
                 Ordering::Less => at += 1,
                 Ordering::Equal => {
@@ -84,38 +87,10 @@ pub(super) fn places(
     }
 }
 
-/// Looks sorted new items up among sorted old ones.
-pub(super) struct Walk<I: Iterator> {
-    old: Peekable<Enumerate<I>>,
-}
-
-impl<I: Iterator<Item: Ord>> Walk<I> {
-    /// Along these old items.
-    pub(super) fn along(old: I) -> Self {
-        Self {
-            old: old.enumerate().peekable(),
-        }
-    }
-
-    /// The place of the next new item among the old ones, or [`NEW`].
-    pub(super) fn place(&mut self, wanted: &I::Item) -> u32 {
-        while self.old.next_if(|(_, old)| old < wanted).is_some() {}
-        let found = self.old.peek().filter(|(_, old)| old == wanted);
-        found.map_or(NEW, |(k, _)| *k as u32)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use proptest::prelude::*;
-
-    #[test]
-    fn places_are_found_by_walking() {
-        let mut old = Walk::along([[0, 1], [0, 3], [2, 5]].into_iter());
-        let new = [[0, 2], [0, 3], [2, 5], [3, 4]];
-        assert_eq!(new.map(|new| old.place(&new)), [NEW, 1, 2, NEW]);
-    }
 
     /// Pairs of few bodies and few images, ascending, without and with their images.
     fn list(all: std::collections::BTreeSet<([u32; 2], [i16; 2])>) -> (Vec<[u32; 2]>, Images) {
@@ -148,8 +123,8 @@ mod tests {
             for cut in [0, new.0.len() / 3, new.0.len()] {
                 let mut noted = vec![0; new.0.len()];
                 let (head, tail) = noted.split_at_mut(cut);
-                places((&old.0, &old.1), (&new.0, &new.1), 0, head);
-                places((&old.0, &old.1), (&new.0, &new.1), cut, tail);
+                places(|pair| *pair, (&old.0, &old.1), (&new.0, &new.1), 0, head);
+                places(|pair| *pair, (&old.0, &old.1), (&new.0, &new.1), cut, tail);
                 prop_assert_eq!(&noted, &asked);
             }
         }

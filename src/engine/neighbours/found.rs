@@ -43,8 +43,14 @@ impl Found {
         self.late.append(&mut other.late);
     }
 
-    /// Pairs whose second body looked take their places among the others, ascending: from the back, so
-    /// that no second list is needed. `spare` is a buffer.
+    /// Those of the first kind.
+    #[cfg(test)]
+    pub(super) fn in_order(&self) -> Vec<Meant> {
+        self.early.iter().copied().zip(self.images.each()).collect()
+    }
+
+    /// Pairs whose second body looked take their places among the others, ascending: from the back,
+    /// so that no second list is needed. `spare` is a buffer.
     pub(super) fn sort_in(&mut self, spare: &mut Images) {
         if self.late.is_empty() {
             return;
@@ -53,11 +59,10 @@ impl Found {
         let mut left = self.early.len();
         let mut to = left + self.late.len();
         self.early.resize(to, [0; 2]);
-        let mut images = self.images.behind();
         spare.clear();
         for late in self.late.iter().rev() {
             while left > 0 {
-                let early = (self.early[left - 1], images.at(left - 1));
+                let early = (self.early[left - 1], self.images.of(left - 1));
                 if early < *late {
                     break;
                 }
@@ -70,7 +75,7 @@ impl Found {
             spare.push(to, late.1);
         }
         for k in (0..left).rev() {
-            spare.push(k, images.at(k));
+            spare.push(k, self.images.of(k));
         }
         spare.turn_round();
         std::mem::swap(&mut self.images, spare);
@@ -99,12 +104,6 @@ mod tests {
             second.late([4, 6], images[0]);
             first.append(&mut second);
             first.sort_in(&mut spare);
-            let all: Vec<Meant> = first
-                .early
-                .iter()
-                .copied()
-                .zip(first.images.each())
-                .collect();
             let expected = [
                 ([0, 1], images[2]),
                 ([0, 3], images[2]),
@@ -113,7 +112,7 @@ mod tests {
                 ([4, 5], images[2]),
                 ([4, 6], images[0]),
             ];
-            assert_eq!(all, expected);
+            assert_eq!(first.in_order(), expected);
         }
     }
 }

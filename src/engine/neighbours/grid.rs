@@ -1,9 +1,9 @@
 //! Boxes: particles binned by centre, so that only near ones are compared.
 //!
-//! Particles of like size, within a factor of two or, if all are, a little more, share a level of boxes
-//! as high as the largest of them reach and, where there may be as many, a quarter as wide. One that looks for neighbours looks at the boxes around it on
-//! its own level and on the coarser ones: a ball among sand, or sizes over three decades, cost hardly
-//! more than equal ones.
+//! Particles of like size, within a factor of two or, if all are, a little more, share a level of
+//! boxes as high as the largest of them reach and, where there may be as many, a quarter or half as
+//! wide. One that looks for neighbours looks at the boxes around it on its own level and on the coarser
+//! ones: a ball among sand, or sizes over three decades, cost hardly more than equal ones.
 
 use std::ops::{Range, RangeInclusive};
 
@@ -62,7 +62,7 @@ impl Grid {
             let mut bounds = Bounds::default();
             for (k, place) in spots.iter_mut().enumerate() {
                 *place = spot(first + k);
-                bounds.take_in(place, tol);
+                bounds.take_in(place.x, place.radius);
             }
             bounds
         };
@@ -101,12 +101,11 @@ impl Grid {
     /// Lays the levels.
     fn lay(&mut self, spots: &[Spot], tol: f64, bounds: &Bounds) {
         let count = spots.len();
-        let &Bounds { low, high, .. } = bounds;
         let [least, most] = bounds.radii.map(|radius| 2.0 * radius + tol);
-        let span = [high[0] - low[0], high[1] - low[1]];
-        (self.low, self.tol, self.least) = (low, tol, least);
+        let span = bounds.extent.size();
+        (self.low, self.tol, self.least) = (bounds.extent.low, tol, least);
         self.levels.clear();
-        let alike = most * most * count as f64 <= ALIKE * bounds.squares;
+        let alike = most * most <= ALIKE * bounds.mean_square_of_reach(count, tol);
         // How many there are of each size, and the largest radius among them.
         let mut sizes = [(0, 0.0f64); SIZES];
         if alike {
@@ -148,8 +147,8 @@ impl Grid {
         usize::from(self.level[self.doublings(radius)])
     }
 
-    /// Notes for each of a few particles what is nearer to it than `tol` [m]: those after it on its own
-    /// level, where the other one looks, too, and all on coarser ones.
+    /// Notes for each of a few particles what is nearer to it than `tol` [m]: those after it on its
+    /// own level, where the other one looks, too, and all on coarser ones.
     #[inline(always)]
     pub(super) fn gather<V: Lanes>(&self, few: Range<usize>, near: &mut Near) {
         near.begin();
@@ -178,8 +177,8 @@ impl Grid {
         }
     }
 
-    /// Calls `near` with the index of everything on a level whose box comes within `margin` [m] of a stretch of a
-    /// line, `ends` being the multiples of the direction at which it begins and ends.
+    /// Calls `near` with the index of everything on a level whose box comes within `margin` [m] of a
+    /// stretch of a line, `ends` being the multiples of the direction at which it begins and ends.
     pub(super) fn along(
         &self,
         level: &Level,

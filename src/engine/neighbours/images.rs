@@ -26,14 +26,8 @@ impl Images {
 
     /// Those of pair 0, pair 1 and so on without end.
     pub(in crate::engine) fn each(&self) -> impl Iterator<Item = Image> + '_ {
-        let mut rest = self.0.as_slice();
-        (0..).map(move |k| match rest.split_first() {
-            Some((&(pair, image), others)) if pair == k => {
-                rest = others;
-                image
-            }
-            _ => HERE,
-        })
+        let mut ahead = self.ahead(0);
+        (0..).map(move |k| ahead.at(k))
     }
 
     /// Those of pairs from pair k on that are asked for in ascending order.
@@ -41,9 +35,10 @@ impl Images {
         Ahead(&self.0[self.0.partition_point(|item| (item.0 as usize) < k)..])
     }
 
-    /// Those of pairs that are asked for in descending order.
-    pub(super) fn behind(&self) -> Behind<'_> {
-        Behind(&self.0)
+    /// That of pair k, in any order.
+    pub(super) fn of(&self, k: usize) -> Image {
+        let at = self.0.binary_search_by_key(&k, |item| item.0 as usize);
+        at.map_or(HERE, |at| self.0[at].1)
     }
 
     /// Turns the order round: they were noted from the last to the first.
@@ -99,23 +94,6 @@ impl Ahead<'_> {
     }
 }
 
-/// The images of pairs that have not been passed, from the last.
-pub(super) struct Behind<'a>(&'a [(u32, Image)]);
-
-impl Behind<'_> {
-    /// That of pair k, which is not behind the last one asked for.
-    pub(super) fn at(&mut self, k: usize) -> Image {
-        while let Some((&(pair, image), others)) = self.0.split_last() {
-            match (pair as usize).cmp(&k) {
-                Ordering::Greater => self.0 = others,
-                Ordering::Equal => return image,
-                Ordering::Less => break,
-            }
-        }
-        HERE
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -145,10 +123,9 @@ mod tests {
             for k in (0..all.len()).flat_map(|k| std::iter::repeat_n(k, k % 3)) {
                 prop_assert_eq!(ahead.at(k), all[k]);
             }
-            let mut behind = images.behind();
             let mut turned = Images::default();
             for k in (0..all.len()).rev() {
-                turned.push(k, behind.at(k));
+                turned.push(k, images.of(k));
             }
             turned.turn_round();
             prop_assert_eq!(&turned, &images);

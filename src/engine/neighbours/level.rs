@@ -22,8 +22,8 @@ pub(super) struct Level {
 /// At most so many boxes per particle: far-flung assemblies get larger boxes.
 pub(super) const BOXES_PER_PARTICLE: usize = 2;
 
-/// Boxes for a height, where there may be as many: boxes of a row lie one after another, so that to look at
-/// narrow ones costs nothing and leaves less that is looked at in vain.
+/// Boxes for a height, where there may be as many: boxes of a row lie one after another, so that to
+/// look at narrow ones costs nothing and leaves less that is looked at in vain.
 const NARROW: [usize; 2] = [4, 2];
 
 /// Boxes are wider than they must be by this share, more than rounding can move a centre.

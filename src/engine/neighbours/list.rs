@@ -2,17 +2,18 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::carry::{NEW, Walk, carry, places};
+use super::carry::{NEW, carry, places};
+use super::found::Meant;
 use super::grid::Grid;
 use super::images::Images;
 use super::party::Party;
 use super::periodic::Tiling;
 use super::search::{self, Sought};
 use super::skin::Use;
-use super::spot::{Bounds, Spot};
+use super::spot::Bounds;
 use super::travel::Travel;
 use super::whose::Whose;
-use super::{Slot, Status};
+use super::{Slot, Status, room};
 use crate::engine::boundary::cell::Cell;
 use crate::engine::particles::{Particles, Row};
 use crate::engine::threads::Threads;
@@ -77,14 +78,8 @@ impl ContactList {
         self.len() == 0
     }
 
-    /// Contacts that so many particles can have without asking for memory: three pairs each, the
-    /// limit of a planar network of neighbours, and every second particle at a wall.
-    pub fn room(particles: usize) -> [usize; 2] {
-        [3 * particles + 8, particles / 2 + 16]
-    }
-
-    /// Makes the list anew: everything that is sought. Answers where each contact stood in
-    /// the old list, in a buffer to be given back.
+    /// Makes the list anew: everything that is sought. Answers where each contact stood in the old list,
+    /// in a buffer to be given back.
     pub(in crate::engine) fn rebuild(
         &mut self,
         particles: &Particles,
@@ -94,14 +89,14 @@ impl ContactList {
     ) -> Vec<u32> {
         let rows = &particles.row;
         let Sought { tol, .. } = sought;
-        let (mut bounds, mut sum) = (Bounds::default(), 0.0);
+        // The boxes have bounds of their own: in a cell images are in them, too.
+        let mut bounds = Bounds::default();
         self.travel.begin(rows.iter().map(|&Row { x, radius, .. }| {
-            bounds.take_in(&Spot::new(x, radius), tol);
-            sum += radius;
+            bounds.take_in(x, radius);
             x
         }));
         let work = &mut self.work;
-        let [pairs, at_walls] = Self::room(rows.len());
+        let [pairs, at_walls] = room(rows.len());
         work.walls.clear();
         work.walls.reserve(at_walls);
         let (grid, party) = (&mut work.grid, &mut work.party);
@@ -121,11 +116,11 @@ impl ContactList {
         self.carry_over([pairs, at_walls], rows.len(), sought.threads);
         let [smallest, largest] = bounds.radii;
         self.smallest = smallest;
-        self.radius = sum / rows.len() as f64;
+        self.radius = bounds.sums[0] / rows.len() as f64;
         let margin = largest + 2.0 * tol;
         self.span = [
-            bounds.low.map(|x| x - margin),
-            bounds.high.map(|x| x + margin),
+            bounds.extent.low.map(|x| x - margin),
+            bounds.extent.high.map(|x| x + margin),
         ];
         self.travel.within(self.span, 2.0 * largest + tol);
         self.rebuilds += 1;
@@ -149,10 +144,14 @@ impl ContactList {
         old.reserve(pairs + at_walls);
         old.resize(from, NEW);
         let (before, now) = ((&*self.pairs, &self.images), (&*found.early, &found.images));
-        threads.each(old, |first, old| places(before, now, first, old));
+        threads.each(old, |first, old| {
+            places(|pair| *pair, before, now, first, old);
+        });
+        old.resize(from + walls.len(), NEW);
+        let none = Images::default();
         let bodies = |at: &WallPair| [at.particle, at.wall];
-        let mut known = Walk::along(self.walls.iter().map(bodies));
-        old.extend(walls.iter().map(bodies).map(|at| known.place(&at)));
+        let (before, now) = ((&*self.walls, &none), (&**walls, &none));
+        places(bodies, before, now, 0, &mut old[from..]);
         for (pair, &old) in walls.iter_mut().zip(&old[from..]) {
             if let Some(before) = self.walls.get(old as usize) {
                 pair.side = before.side;
@@ -276,23 +275,26 @@ impl ContactList {
     }
 
     /// Bytes of the list per contact and per particle, buffers included, in a periodic cell or not, made
-    /// by several threads or not; pairs that reach over an edge of a cell or between sizes are few.
-    pub(in crate::engine) fn bytes(cell: bool, shared: bool) -> [usize; 2] {
+    /// by several threads or not; pairs that reach over an edge of a cell are few.
+    pub(in crate::engine) fn bytes(&self, cell: bool, shared: bool) -> [usize; 2] {
         let pair = size_of::<[u32; 2]>();
         // Two lists of pairs, and the old place of each.
-        let place = size_of::<u32>();
-        let mut contact = 2 * pair + size_of::<Slot>() + size_of::<Status>() + place;
+        let mut contact = 2 * pair + size_of::<Slot>() + size_of::<Status>() + size_of::<u32>();
+        let mut particle = Travel::BYTES + Whose::BYTES + Grid::BYTES;
         if shared {
             // What each thread found.
             contact += pair;
         }
-        let particle = Travel::BYTES + Whose::BYTES + Grid::BYTES;
+        if self.work.grid.levels.len() > 1 {
+            // What smaller ones found, at most.
+            contact += size_of::<Meant>();
+        }
         if cell {
             // Pairs as they are seen.
-            [contact + pair, particle + Tiling::BYTES]
-        } else {
-            [contact, particle]
+            contact += pair;
+            particle += Tiling::BYTES;
         }
+        [contact, particle]
     }
 }
 

@@ -22,6 +22,12 @@ pub(super) mod whose;
 
 use serde::{Deserialize, Serialize};
 
+/// Pairs, and contacts with walls, that so many particles can have without asking for memory: three
+/// pairs each, the limit of a planar network of neighbours, and every second particle at a wall.
+pub fn room(particles: usize) -> [usize; 2] {
+    [3 * particles + 8, particles / 2 + 16]
+}
+
 /// Force on the first body of a contact: f1, f2 [N], tangential force times lever arm over radius
 /// [N], moment of rolling resistance [N m].
 #[repr(C, align(32))]

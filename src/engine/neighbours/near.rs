@@ -7,7 +7,7 @@ use std::ops::Range;
 const SPARE: usize = 8;
 
 /// So many particles look one after another.
-pub(super) const FEW: usize = 32;
+const FEW: usize = 32;
 
 /// Those near some particles. The buffer is kept between them.
 #[derive(Debug, Default)]

@@ -4,6 +4,7 @@ use super::found::Found;
 use super::images::Images;
 use super::near::Near;
 use super::partner::Partner;
+use super::room;
 use super::search::Sought;
 use crate::engine::lanes::{InLanes, Lanes};
 use crate::engine::threads::share;
@@ -47,12 +48,10 @@ impl Party {
         &mut self,
         particles: usize,
         late: bool,
-        Sought {
-            room, isa, threads, ..
-        }: Sought<'_>,
+        Sought { isa, threads, .. }: Sought<'_>,
         look: &impl Look,
     ) {
-        let parts = threads.parts(particles);
+        let ([room, _], parts) = (room(particles), threads.parts(particles));
         if self.searchers.len() < parts {
             self.searchers.resize_with(parts, Searcher::default);
         }

@@ -203,11 +203,9 @@ mod tests {
             let (mut tiling, mut grid) = (Tiling::default(), Grid::default());
             for isa in Isa::ALL.into_iter().filter(|isa| isa.is_here()) {
                 let threads = &Threads::default();
-                let sought = Sought { tol: 0.05, room: 0, isa, threads };
+                let sought = Sought { tol: 0.05, isa, threads };
                 tiling.pairs(&mut grid, (&rows, &cell), sought, &mut party);
-                let found = party.found();
-                let found: Vec<_> = found.early.iter().copied().zip(found.images.each()).collect();
-                prop_assert_eq!(&found, &all, "{}", isa);
+                prop_assert_eq!(&party.found().in_order(), &all, "{}", isa);
             }
         }
     }
@@ -233,7 +231,6 @@ mod tests {
             let (mut party, mut grid) = (Party::default(), Grid::default());
             let sought = Sought {
                 tol: 0.05,
-                room: 0,
                 isa: Isa::default(),
                 threads: &Threads::new(threads),
             };
@@ -241,13 +238,7 @@ mod tests {
                 Tiling::default().pairs(&mut grid, (&rows, &cell), sought, &mut party);
             }
             assert!(grid.levels.len() > 1);
-            let found = party.found();
-            let all: Vec<_> = found
-                .early
-                .iter()
-                .copied()
-                .zip(found.images.each())
-                .collect();
+            let all = party.found().in_order();
             assert!(all.is_sorted(), "{threads}");
             all
         };

@@ -16,8 +16,6 @@ use crate::engine::wall_contact::{self, WallPair};
 pub(in crate::engine) struct Sought<'a> {
     /// Whoever is nearer than this [m].
     pub(in crate::engine) tol: f64,
-    /// Room is kept for so many pairs.
-    pub(in crate::engine) room: usize,
     pub(in crate::engine) isa: Isa,
     pub(in crate::engine) threads: &'a Threads,
 }
@@ -159,10 +157,8 @@ mod tests {
             let isas = || Isa::ALL.into_iter().filter(|isa| isa.is_here());
             for (threads, isa) in [1, 1, 3].into_iter().flat_map(|n| isas().map(move |isa| (n, isa))) {
                 let threads = &Threads::new(threads);
-                pairs(&mut grid, &rows, Sought { tol, room: 0, isa, threads }, &mut party);
-                let found = party.found();
-                let found: Vec<_> = found.early.iter().copied().zip(found.images.each()).collect();
-                prop_assert_eq!(&found, &here, "{}", isa);
+                pairs(&mut grid, &rows, Sought { tol, isa, threads }, &mut party);
+                prop_assert_eq!(&party.found().in_order(), &here, "{}", isa);
             }
             prop_assert!(equal || rows.len() < 40 || grid.levels.len() > 3);
         }
@@ -189,7 +185,7 @@ mod tests {
             let mut grid = Grid::default();
             let mut party = Party::default();
             let (isa, threads) = (Isa::default(), &Threads::default());
-            pairs(&mut grid, &rows, Sought { tol, room: 0, isa, threads }, &mut party);
+            pairs(&mut grid, &rows, Sought { tol, isa, threads }, &mut party);
             let [mut by_boxes, mut by_all] = [Vec::new(), Vec::new()];
             wall_pairs(Some(&grid), &rows, &walls, tol, &mut by_boxes);
             wall_pairs(None, &rows, &walls, tol, &mut by_all);
@@ -218,17 +214,7 @@ mod tests {
             rows[899].x[1] += away;
             let (mut grid, mut party) = (Grid::default(), Party::default());
             let (isa, threads) = (Isa::default(), &Threads::default());
-            pairs(
-                &mut grid,
-                &rows,
-                Sought {
-                    tol,
-                    room: 0,
-                    isa,
-                    threads,
-                },
-                &mut party,
-            );
+            pairs(&mut grid, &rows, Sought { tol, isa, threads }, &mut party);
             let spots: Vec<Spot> = (rows.iter())
                 .map(|row| Spot::new(row.x, row.radius))
                 .collect();

@@ -12,7 +12,8 @@ const DENSE: f64 = 1.7;
 /// all but touch are listed in any halo.
 const THIN: f64 = 0.1;
 
-/// Bounds, in radii: in a slowly sheared assembly a few thousandths are best.
+/// Bounds, in radii. In a slowly sheared assembly a few thousandths are best. Where 100 000 discs rain
+/// three quarters are faster than one by 1 to 3 %; half lost up to 9 % against one, one and a half 20 %.
 const BOUNDS: [f64; 2] = [0.001, 0.75];
 
 /// Not more than these factors down and up at once. Up in small steps, as motion comes in bursts; down in

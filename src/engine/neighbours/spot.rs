@@ -1,5 +1,6 @@
 //! A particle or an image of one, as the boxes know it, and what all of them span.
 
+use crate::engine::extent::Extent;
 use crate::engine::lanes::Lanes;
 
 /// A particle, or an image of one, for which there is a box.
@@ -28,51 +29,71 @@ impl Spot {
     }
 }
 
-/// What spots span.
+/// What many spots are like.
 #[derive(Clone, Copy)]
 pub(super) struct Bounds {
-    /// Lower and upper corner [m].
-    pub(super) low: [f64; 2],
-    pub(super) high: [f64; 2],
+    /// Around all centres [m].
+    pub(super) extent: Extent,
     /// Smallest and largest radius [m].
     pub(super) radii: [f64; 2],
-    /// Sum of the squares of what each reaches [m²]; its last bits are those of the number of threads, and
-    /// nothing but how boxes are laid depends on them.
-    pub(super) squares: f64,
+    /// Sums of radii [m] and of their squares [m²]: added up stretch by stretch, so that their last
+    /// bits depend on the number of stretches.
+    pub(super) sums: [f64; 2],
 }
 
 impl Default for Bounds {
     fn default() -> Self {
         Self {
-            low: [f64::INFINITY; 2],
-            high: [f64::NEG_INFINITY; 2],
+            extent: Extent::default(),
             radii: [f64::INFINITY, 0.0],
-            squares: 0.0,
+            sums: [0.0; 2],
         }
     }
 }
 
 impl Bounds {
-    /// Spans this one, too; `tol` [m] is what it reaches beyond its surface.
+    /// Takes one in that is here [m] and so large [m].
     #[inline(always)]
-    pub(super) fn take_in(&mut self, &Spot { x, radius, .. }: &Spot, tol: f64) {
-        self.low = [0, 1].map(|k| x[k].smaller(self.low[k]));
-        self.high = [0, 1].map(|k| x[k].larger(self.high[k]));
+    pub(super) fn take_in(&mut self, x: [f64; 2], radius: f64) {
+        self.extent.take_in(x);
         self.radii = [radius.smaller(self.radii[0]), radius.larger(self.radii[1])];
-        let reach = 2.0 * radius + tol;
-        self.squares += reach * reach;
+        self.sums[0] += radius;
+        self.sums[1] += radius * radius;
     }
 
-    /// What two stretches of them span together.
+    /// Of two stretches.
     pub(super) fn and(self, other: Self) -> Self {
+        let [least, most] = other.radii;
         Self {
-            low: [0, 1].map(|k| self.low[k].smaller(other.low[k])),
-            high: [0, 1].map(|k| self.high[k].larger(other.high[k])),
-            radii: [
-                self.radii[0].smaller(other.radii[0]),
-                self.radii[1].larger(other.radii[1]),
-            ],
-            squares: self.squares + other.squares,
+            extent: self.extent.and(other.extent),
+            radii: [least.smaller(self.radii[0]), most.larger(self.radii[1])],
+            sums: [0, 1].map(|k| self.sums[k] + other.sums[k]),
         }
+    }
+
+    /// Of so many spots that reach twice their radius and `tol` [m] far: the mean square of that [m²].
+    pub(super) fn mean_square_of_reach(&self, count: usize, tol: f64) -> f64 {
+        let [sum, squares] = self.sums;
+        4.0 * (squares + tol * sum) / count as f64 + tol * tol
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_mean_square_of_reaches_is_that_of_each() {
+        let mut bounds = [Bounds::default(); 2];
+        let radii = [0.5, 2.0, 1.25];
+        for (k, radius) in radii.into_iter().enumerate() {
+            bounds[k % 2].take_in([0.0; 2], radius);
+        }
+        let all = bounds[0].and(bounds[1]);
+        let squares = radii.map(|radius: f64| (2.0 * radius + 0.25) * (2.0 * radius + 0.25));
+        // Halves and quarters: nothing is rounded before the division.
+        let mean = squares.iter().sum::<f64>() / 3.0;
+        assert!((all.mean_square_of_reach(3, 0.25) - mean).abs() <= 4.0 * f64::EPSILON * mean);
+        assert_eq!(all.radii, [0.5, 2.0]);
     }
 }

@@ -2,12 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::engine::extent::Extent;
 use crate::engine::lanes::Lanes;
 use crate::engine::particles::Row;
 use crate::engine::threads::Threads;
-
-/// Square of the furthest move [m²], and lower and upper corner of the box of all [m].
-type Moves = (f64, [f64; 2], [f64; 2]);
 
 /// Way since the list was made.
 #[derive(Debug, Default, Serialize, Deserialize)]
@@ -73,9 +71,9 @@ impl Travel {
         self.stretch += stretched;
     }
 
-    /// Looks how far particles really moved, but for the flow. No two can have come nearer by more than the
-    /// diagonal of a box around all moves and none, nor than twice the furthest: what falls on what lies
-    /// counts its way once.
+    /// Looks how far particles really moved, but for the flow. No two can have come nearer by more than
+    /// the diagonal of a box around all moves and none, nor than twice the furthest: what falls on what
+    /// lies counts its way once.
     pub(in crate::engine) fn measure(&mut self, rows: &[Row], threads: &Threads) {
         let [old, new] = &self.frame;
         let size = [old[1][0] - old[0][0], old[2][1] - old[0][1]];
@@ -90,26 +88,22 @@ impl Travel {
                 new[0][k] + share[0] * along[0] + share[1] * along[1]
             })
         };
-        let none = (0.0, [0.0; 2], [0.0; 2]);
+        // Square of the furthest move [m²], and the box of all and none [m].
+        let none = (0.0, Extent::of([0.0; 2]));
         let moves = |first: usize, reference: &mut [[f64; 2]]| {
-            let (mut square, mut low, mut high) = none;
+            let (mut square, mut all) = none;
             for (row, old) in rows[first..].iter().zip(reference) {
                 let old = carried(*old);
                 let d = [row.x[0] - old[0], row.x[1] - old[1]];
                 square = (d[0] * d[0] + d[1] * d[1]).larger(square);
-                low = [0, 1].map(|k| d[k].smaller(low[k]));
-                high = [0, 1].map(|k| d[k].larger(high[k]));
+                all.take_in(d);
             }
-            (square, low, high)
+            (square, all)
         };
-        let all = |a: Moves, b: Moves| {
-            let low = [0, 1].map(|k| a.1[k].smaller(b.1[k]));
-            let high = [0, 1].map(|k| a.2[k].larger(b.2[k]));
-            (a.0.larger(b.0), low, high)
-        };
-        let (square, low, high): Moves = threads.join(&mut self.reference, none, moves, all);
-        let width = [high[0] - low[0], high[1] - low[1]];
-        let diagonal = (width[0] * width[0] + width[1] * width[1]).sqrt();
+        let both = |a: (f64, Extent), b: (f64, Extent)| (a.0.larger(b.0), a.1.and(b.1));
+        let (square, all) = threads.join(&mut self.reference, none, moves, both);
+        let [width, height] = all.size();
+        let diagonal = (width * width + height * height).sqrt();
         self.furthest = square.sqrt();
         self.nearing = diagonal.smaller(2.0 * self.furthest);
     }
