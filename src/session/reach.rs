@@ -28,9 +28,7 @@ impl Place {
             _ => Err("STAGE or STAGE/CYCLES is expected, for instance shear or shear/1000".into()),
         }
     }
-}
 
-impl Place {
     /// Which of the stages of a scene it names.
     pub fn stage_of(&self, scene: &Scene) -> Result<usize, Refusal> {
         let names = || scene.stages.iter().map(|stage| stage.name.as_str());
