@@ -20,11 +20,12 @@ const AHEAD: usize = 16;
 
 /// Where forces are found.
 #[derive(Clone, Copy)]
-pub(super) struct Gather<'a> {
+pub(super) struct Gather {
     slots: *const f64,
     places: *const Places,
     particles: usize,
-    whose: &'a Whose,
+    /// Places of those that had none of their own.
+    more: *const u32,
     /// First contact of each particle with a wall, if anybody is near one.
     walls: Option<*const u32>,
 }
@@ -38,12 +39,12 @@ pub(super) struct Total<Q> {
     pub(super) size: Q,
 }
 
-impl<'a> Gather<'a> {
+impl Gather {
     /// From the list of contacts of so many particles.
     ///
     /// # Panics
     /// If its contacts were not noted, or are those of another number of particles.
-    pub(super) fn new(contacts: &'a ContactList, particles: usize) -> Self {
+    pub(super) fn new(contacts: &ContactList, particles: usize) -> Self {
         let whose = contacts.whose();
         assert!(
             whose.places().len() == particles
@@ -56,7 +57,7 @@ impl<'a> Gather<'a> {
             slots: contacts.slots.as_ptr().cast(),
             places: whose.places().as_ptr(),
             particles,
-            whose,
+            more: whose.more().as_ptr(),
             walls: whose.meet_walls().then(|| whose.walls().as_ptr()),
         }
     }
@@ -93,24 +94,28 @@ impl<'a> Gather<'a> {
         // SAFETY: the caller's, and places name slots there are, nobody's included.
         unsafe {
             let places: *const u32 = self.places.add(p).cast();
-            let crowded = Whose::is_more(*places.add(LASTS[0]) | *places.add(LASTS[1]));
-            let near_wall = |first: *const u32| *first.add(p) < *first.add(p + 1);
-            if crowded || WALLS && self.walls.is_some_and(near_wall) {
-                let [force, size] = self.one_by_one(p);
-                return Total {
-                    force: Q::of_four(force),
-                    size: Q::of_four(size),
-                };
-            }
+            let [last_second, last_first] = LASTS.map(|last| *places.add(last));
             let slot = |k: usize| self.slots.add(*places.add(k) as usize);
-            let second = Total::<Q>::of::<SIZE>([slot(0), slot(1)])
+            let mut second = Total::<Q>::of::<SIZE>([slot(0), slot(1)])
                 .and::<SIZE>(slot(2))
-                .and::<SIZE>(slot(3))
-                .and::<SIZE>(slot(4));
-            let first = Total::<Q>::of::<SIZE>([slot(5), slot(6)])
+                .and::<SIZE>(slot(3));
+            let mut first = Total::<Q>::of::<SIZE>([slot(5), slot(6)])
                 .and::<SIZE>(slot(7))
-                .and::<SIZE>(slot(8))
-                .and::<SIZE>(slot(9));
+                .and::<SIZE>(slot(8));
+            let at_walls = match self.walls {
+                Some(first) if WALLS => *first.add(p)..*first.add(p + 1),
+                _ => 0..0,
+            };
+            if Whose::is_more(last_second | last_first) || !at_walls.is_empty() {
+                second = self.others::<Q, SIZE>(second, last_second);
+                first = self.others::<Q, SIZE>(first, last_first);
+                for k in at_walls {
+                    first = first.and::<SIZE>(self.slots.add((k * NUMBERS) as usize));
+                }
+            } else {
+                second = second.and::<SIZE>(self.slots.add(last_second as usize));
+                first = first.and::<SIZE>(self.slots.add(last_first as usize));
+            }
             Total {
                 // No negative nought, whose sign would depend on what does not touch.
                 force: second.force.turned(Q::of_four(SECOND)) + first.force + Q::all(0.0),
@@ -119,41 +124,21 @@ impl<'a> Gather<'a> {
         }
     }
 
-    /// The same for a particle some of whose contacts have no place.
-    #[cold]
-    #[inline(never)]
-    unsafe fn one_by_one(&self, p: usize) -> [[f64; 4]; 2] {
-        // SAFETY: the caller's: there is such a particle.
-        let places = unsafe { &*self.places.add(p) };
-        // SAFETY: the list names slots there are.
-        let slot = |first: u32| unsafe { self.slots.add(first as usize).cast::<[f64; 4]>().read() };
-        let pairs = |from: usize, last: usize| {
-            let (own, others) = match self.whose.others(places[last]) {
-                None => (&places[from..=last], &[][..]),
-                Some(others) => (&places[from..last], others),
+    /// Adds what stands in the last place of a kind: a slot, or where it and others are.
+    #[inline(always)]
+    unsafe fn others<Q: Quad, const SIZE: bool>(&self, mut sum: Total<Q>, last: u32) -> Total<Q> {
+        // SAFETY: the caller's: it is a last place, and slots there are.
+        unsafe {
+            let Some(at) = Whose::more_at(last) else {
+                return sum.and::<SIZE>(self.slots.add(last as usize));
             };
-            own.iter().chain(others).map(|&first| slot(first))
-        };
-        let walls = self.whose.at_walls(p).map(|k| slot(k as u32 * NUMBERS));
-        let second = sums(pairs(0, LASTS[0]));
-        let first = sums(pairs(LASTS[0] + 1, LASTS[1]).chain(walls));
-        [
-            [0, 1, 2, 3].map(|k| SECOND[k] * second[0][k] + first[0][k] + 0.0),
-            [0, 1, 2, 3].map(|k| second[1][k] + first[1][k]),
-        ]
-    }
-}
-
-/// Sums of numbers and of their absolute values.
-fn sums(slots: impl Iterator<Item = [f64; 4]>) -> [[f64; 4]; 2] {
-    let mut sums = [[0.0; 4]; 2];
-    for slot in slots {
-        for k in 0..4 {
-            sums[0][k] += slot[k];
-            sums[1][k] += slot[k].abs();
+            let count = *self.more.add(at) as usize;
+            for k in at + 1..=at + count {
+                sum = sum.and::<SIZE>(self.slots.add(*self.more.add(k) as usize));
+            }
         }
+        sum
     }
-    sums
 }
 
 impl<Q: Quad> Total<Q> {

@@ -129,12 +129,23 @@ impl Whose {
     }
 
     /// What the last place of a particle stands for, if not for a slot itself.
-    #[inline(always)]
-    pub(in crate::engine) fn others(&self, last: u32) -> Option<&[u32]> {
-        others(last).map(|at| {
+    fn others(&self, last: u32) -> Option<&[u32]> {
+        Self::more_at(last).map(|at| {
             let (count, rest) = (self.more[at] as usize, &self.more[at + 1..]);
             &rest[..count]
         })
+    }
+
+    /// Where in [those of several](Self::more) it is said what a last place stands for, if for several: how many,
+    /// and then they.
+    #[inline(always)]
+    pub(in crate::engine) fn more_at(last: u32) -> Option<usize> {
+        Self::is_more(last).then_some((last & !MORE) as usize)
+    }
+
+    /// Places of those that had none of their own.
+    pub(in crate::engine) fn more(&self) -> &[u32] {
+        &self.more
     }
 
     /// Whether so many contacts were noted.
@@ -177,12 +188,6 @@ impl Whose {
         let own = places.iter().filter(|&&slot| slot < self.nobody);
         own.chain(others).map(|slot| (slot / NUMBERS) as usize)
     }
-}
-
-/// Where the others are that a last place stands for.
-#[inline(always)]
-fn others(last: u32) -> Option<usize> {
-    (last & MORE != 0).then_some((last & !MORE) as usize)
 }
 
 #[cfg(test)]
