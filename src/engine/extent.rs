@@ -1,9 +1,11 @@
 //! The box around points.
 
+use serde::{Deserialize, Serialize};
+
 use super::lanes::Lanes;
 
 /// Lower and upper corner of a box around points; without any, the lower is infinitely far up.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct Extent {
     pub(super) low: [f64; 2],
     pub(super) high: [f64; 2],
@@ -32,6 +34,7 @@ impl Extent {
     }
 
     /// Around two.
+    #[inline(always)]
     pub(super) fn and(mut self, other: Self) -> Self {
         self.low = [0, 1].map(|k| other.low[k].smaller(self.low[k]));
         self.high = [0, 1].map(|k| other.high[k].larger(self.high[k]));
@@ -39,6 +42,7 @@ impl Extent {
     }
 
     /// Width and height.
+    #[inline(always)]
     pub(super) fn size(&self) -> [f64; 2] {
         [0, 1].map(|k| self.high[k] - self.low[k])
     }

@@ -23,18 +23,22 @@ pub(super) fn pairs(total: usize, parts: usize, part: usize) -> std::ops::Range<
     whole(fair.start)..end
 }
 
-/// Particles of one part: those from the first body of its first pair, `pairs` ascending.
+/// Particles of one part: those from the first body of its first pair, `pairs` ascending, in whole blocks of
+/// this size, but for the last.
 pub(super) fn particles(
     list: &[[u32; 2]],
     count: usize,
-    parts: usize,
-    part: usize,
+    (parts, part): (usize, usize),
+    whole: usize,
 ) -> std::ops::Range<usize> {
     let fair = share(count, parts, part);
     // Either end moves, each by half of it.
     let most = count / parts / (2 * UNFAIR);
     let cut = |fair: usize, part: usize| match list.get(pairs(list.len(), parts, part).start) {
-        Some(&[i, _]) if 0 < part && part < parts => (i as usize).clamp(fair - most, fair + most),
+        Some(&[i, _]) if 0 < part && part < parts => {
+            (i as usize).clamp(fair - most, fair + most) / whole * whole
+        }
+        _ if part < parts => fair / whole * whole,
         _ => fair,
     };
     cut(fair.start, part)..cut(fair.end, part + 1)
@@ -46,7 +50,7 @@ mod tests {
 
     fn stretches(list: &[[u32; 2]], count: usize, parts: usize) -> Vec<std::ops::Range<usize>> {
         (0..parts)
-            .map(|part| particles(list, count, parts, part))
+            .map(|part| particles(list, count, (parts, part), 1))
             .collect()
     }
 

@@ -6,11 +6,12 @@
 use super::World;
 use super::boundary::{Boundary, straining};
 use super::contact::pass::View;
+use super::extent::Extent;
 use super::fault::Fault;
 use super::motion::{self, Dragged, Inputs, Sums, Watch};
-use super::neighbours::search::Sought;
+use super::neighbours::list::Wanted;
 use super::neighbours::{Slot, Status};
-use super::particles::{Row, Sum};
+use super::particles::{Particles, Row, Sum};
 use super::phase::{Phase, passed};
 use super::rows::Rows;
 use super::setup::Gravity;
@@ -21,11 +22,6 @@ use super::wall_contact;
 /// Cycles after which the scale of the forces on a particle is made anew: it is compared with rounding
 /// errors, where an order of magnitude is enough.
 const SIZE_EVERY: u64 = 64;
-
-/// A list that is measured goes on if less than this share of TOL is spent. To measure costs a twentieth
-/// of making a list; where it shows that half of what was supposed is spent, as where all fall, measures
-/// come after half of what is left, and that after .875 would win less than it costs.
-const SPENT: f64 = 0.85;
 
 /// Cycles, and powers of two beyond, after which a list that lasts is asked whether it is too wide:
 /// it is if less than this share of it would be best.
@@ -94,8 +90,9 @@ impl World {
 
     pub(super) fn pass_over_particles(
         &mut self,
-        work: impl Fn(Inputs<'_>, &mut Rows, &mut [Sum], &Threads) -> Watch,
+        work: impl Fn(Inputs<'_>, &mut Rows, &mut [Sum], (&mut [Extent], &Threads)) -> Watch,
     ) -> Watch {
+        let mut ways = self.contacts.travel.blocks.take();
         let part = self.kick_part();
         let flow = self.flow();
         // Before the first step nothing has changed yet.
@@ -133,7 +130,10 @@ impl World {
             beyond: cell.map(|cell| seen.ahead(cell)),
             isa: self.isa,
         };
-        work(inputs, &mut particles.row, &mut particles.force, threads)
+        let Particles { row, force, .. } = particles;
+        let watch = work(inputs, row, force, (&mut ways, threads));
+        contacts.travel.blocks.give_back(ways);
+        watch
     }
 
     /// Whether any particle turns or can be made to.
@@ -223,15 +223,15 @@ impl World {
         let chosen = self.model.tol.is_none();
         let age = self.cycle.saturating_sub(contacts.made);
         let due = chosen && age >= LOOK_AFTER && age.is_power_of_two();
-        if contacts.travel.nearer() < self.tol && !due {
+        let rows = &self.particles.row;
+        if contacts.travel.lasts(rows, &self.threads) && !due {
             return Ok(());
         }
         // The sum of largest speeds overestimates: look before searching.
-        let rows = &self.particles.row;
         contacts.travel.measure(rows, &self.threads);
-        let usage = contacts.usage(self.tol, self.cycle);
-        let wide = due && usage.best() < WIDE * self.tol;
-        if usage.nearer < SPENT * self.tol && !wide {
+        let usage = contacts.usage(self.cycle);
+        let wide = due && usage.best() < WIDE * usage.tol;
+        if !contacts.travel.is_spent() && !wide {
             return Ok(());
         }
         self.lost_particle()?;
@@ -251,13 +251,15 @@ impl World {
     fn make_list(&mut self, again: bool) {
         let mut pass = self.take_pass();
         let mut contacts = std::mem::take(&mut self.contacts);
-        let sought = Sought {
+        let wanted = Wanted {
             tol: self.tol,
+            local: self.model.tol.is_none() && self.flow().is_none(),
             isa: self.isa,
             threads: &self.threads,
         };
-        let old = contacts.rebuild(&self.particles, &self.walls, self.cell(), sought);
+        let old = contacts.rebuild(&self.particles, &self.walls, self.cell(), wanted);
         contacts.made = self.cycle;
+        self.tol = contacts.halo();
         self.contacts = contacts;
         self.see();
         let (pairs, room) = (self.contacts.pairs.len(), self.room());

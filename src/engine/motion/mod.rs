@@ -11,7 +11,9 @@ pub(super) use drag::{Dragged, before, kick};
 
 use super::boundary::Tensor;
 use super::boundary::seen::Beyond;
+use super::extent::Extent;
 use super::lanes::Isa;
+use super::neighbours::blocks::{self, BLOCK};
 use super::neighbours::list::ContactList;
 use super::particles::{Mobility, Row, Sum, are_far};
 use super::rows::Rows;
@@ -89,6 +91,7 @@ pub(super) enum Sums {
 }
 
 /// Particles of one thread.
+#[derive(Default)]
 struct Stretch<'a> {
     /// Index of its first particle.
     first: usize,
@@ -96,8 +99,26 @@ struct Stretch<'a> {
     /// Rows of the images of these particles.
     images: &'a mut [Row],
     force: &'a mut [Sum],
+    /// Boxes around the ways of its blocks, if ways are noted.
+    ways: &'a mut [Extent],
     /// Whether slots are asked for ahead.
     ask: bool,
+}
+
+impl Stretch<'_> {
+    /// Cuts off the part before this particle, with so many images.
+    fn cut(&mut self, end: usize, images: usize) -> Self {
+        let count = end - self.first;
+        let blocks = self.ways.len().min(count / BLOCK);
+        Self {
+            first: std::mem::replace(&mut self.first, end),
+            rows: self.rows.split_off_mut(..count).unwrap_or_default(),
+            images: self.images.split_off_mut(..images).unwrap_or_default(),
+            force: self.force.split_off_mut(..count).unwrap_or_default(),
+            ways: self.ways.split_off_mut(..blocks).unwrap_or_default(),
+            ask: self.ask,
+        }
+    }
 }
 
 /// Sums the contact forces (unless that was done) and moves every particle by one step.
@@ -105,10 +126,14 @@ pub(super) fn advance(
     inputs: Inputs<'_>,
     rows: &mut Rows,
     force: &mut [Sum],
-    threads: &Threads,
+    (ways, threads): (&mut [Extent], &Threads),
 ) -> Watch {
-    in_stretches(&inputs, rows, force, threads, |stretch| {
-        let watch = kernel::advance(&inputs, stretch);
+    in_stretches(&inputs, rows, force, (ways, threads), |stretch| {
+        let watch = if stretch.ways.is_empty() {
+            kernel::advance(&inputs, stretch)
+        } else {
+            noting_ways(&inputs, stretch)
+        };
         if let Some(beyond) = inputs.beyond {
             beyond.look(stretch.first, stretch.rows, stretch.images);
         }
@@ -121,18 +146,43 @@ pub(super) fn settle(
     inputs: Inputs<'_>,
     rows: &mut Rows,
     force: &mut [Sum],
-    threads: &Threads,
+    (ways, threads): (&mut [Extent], &Threads),
 ) -> Watch {
-    in_stretches(&inputs, rows, force, threads, |stretch| {
+    in_stretches(&inputs, rows, force, (ways, threads), |stretch| {
         kernel::sum(&inputs, stretch)
     })
 }
+
+/// Moves a few blocks after the other, whose ways are noted while they are near the processor.
+fn noting_ways(inputs: &Inputs<'_>, stretch: &mut Stretch<'_>) -> Watch {
+    let end = stretch.first + stretch.rows.len();
+    let mut rest = Stretch {
+        first: stretch.first,
+        rows: &mut *stretch.rows,
+        images: &mut [],
+        force: &mut *stretch.force,
+        ways: &mut *stretch.ways,
+        ask: stretch.ask,
+    };
+    let mut watch = Watch::NOTHING;
+    while rest.first + NEAR < end {
+        let mut few = rest.cut(rest.first + NEAR, 0);
+        watch = watch.and(kernel::advance(inputs, &mut few));
+        blocks::go_on(few.ways, few.rows, inputs.dt);
+    }
+    watch = watch.and(kernel::advance(inputs, &mut rest));
+    blocks::go_on(rest.ways, rest.rows, inputs.dt);
+    watch
+}
+
+/// So many particles stay near the processor.
+const NEAR: usize = 64 / BLOCK * BLOCK;
 
 fn in_stretches(
     inputs: &Inputs<'_>,
     rows: &mut Rows,
     force: &mut [Sum],
-    threads: &Threads,
+    (ways, threads): (&mut [Extent], &Threads),
     work: impl Fn(&mut Stretch<'_>) -> Watch + Sync,
 ) -> Watch {
     let (rows, images) = rows.split();
@@ -144,6 +194,7 @@ fn in_stretches(
         rows,
         images,
         force,
+        ways,
         ask,
     };
     if parts == 1 {
@@ -164,34 +215,24 @@ fn in_parts<const MOST: usize>(
     (threads, parts): (&Threads, usize),
     work: impl Fn(&mut Stretch<'_>) -> Watch + Sync,
 ) -> Watch {
-    let (total, ask) = (rest.rows.len(), rest.ask);
+    let total = rest.rows.len();
+    // Blocks are not cut.
+    let whole = if rest.ways.is_empty() { 1 } else { BLOCK };
     let mut jobs: [Option<Job<'_>>; MOST] = [const { None }; MOST];
     let jobs = &mut jobs[..parts];
     let mut seen_before = 0;
     for (part, job) in jobs.iter_mut().enumerate() {
-        let own = shares::particles(&inputs.contacts.pairs, total, parts, part);
+        let own = shares::particles(&inputs.contacts.pairs, total, (parts, part), whole);
         let seen = match inputs.beyond {
             Some(beyond) if part + 1 < parts => beyond.below(own.end),
-            _ => seen_before + rest.images.len(),
+            _ => seen_before,
         };
-        let (rows, rows_rest) = rest.rows.split_at_mut(own.len());
-        let (images, images_rest) = rest.images.split_at_mut(seen - seen_before);
-        let (force, force_rest) = rest.force.split_at_mut(own.len());
-        let stretch = Stretch {
-            first: own.start,
-            rows,
-            images,
-            force,
-            ask,
+        let stretch = if part + 1 < parts {
+            rest.cut(own.end, seen - seen_before)
+        } else {
+            std::mem::take(&mut rest)
         };
         *job = Some(Apart((stretch, Watch::NOTHING)));
-        rest = Stretch {
-            first: own.end,
-            rows: rows_rest,
-            images: images_rest,
-            force: force_rest,
-            ask,
-        };
         seen_before = seen;
     }
     threads.run(jobs, |job| {

@@ -7,6 +7,7 @@
 
 use std::ops::{Range, RangeInclusive};
 
+use super::halos::Halos;
 use super::level::{BOXES_PER_PARTICLE, Level};
 use super::members::Members;
 use super::near::Near;
@@ -150,30 +151,30 @@ impl Grid {
     /// Notes for each of a few particles what is nearer to it than `tol` [m]: those after it on its
     /// own level, where the other one looks, too, and all on coarser ones.
     #[inline(always)]
-    pub(super) fn gather<V: Lanes>(&self, few: Range<usize>, near: &mut Near) {
+    pub(super) fn gather<V: Lanes>(&self, few: Range<usize>, halos: &Halos, near: &mut Near) {
         near.begin();
         for (k, p) in few.enumerate() {
             let a = &self.spots[p];
-            let own = self.level_of(a.radius);
-            self.look::<V>(own, a, p as u32 + 1, near);
+            let (own, tol) = (self.level_of(a.radius), halos.of(a.tile));
+            self.look::<V>(own, a, (tol, p as u32 + 1), near);
             near.own_done(k);
             for coarser in own + 1..self.levels.len() {
-                self.look::<V>(coarser, a, 0, near);
+                self.look::<V>(coarser, a, (tol, 0), near);
             }
             near.all_done(k);
         }
     }
 
-    /// Notes everything on a level that is near a spot and has at least this index.
+    /// Notes everything on a level that is nearer to a spot than this [m] and has at least this index.
     #[inline(always)]
-    fn look<V: Lanes>(&self, level: usize, a: &Spot, least: u32, near: &mut Near) {
+    fn look<V: Lanes>(&self, level: usize, a: &Spot, (tol, least): (f64, u32), near: &mut Near) {
         let level = &self.levels[level];
-        let [column, row] = level.place(self.low, a.x);
-        let last = (column + level.aside).min(level.columns - 1);
-        let columns = column.saturating_sub(level.aside)..=last;
-        for y in row.saturating_sub(1)..=(row + 1).min(level.rows - 1) {
-            let places = self.row(level, y, columns.clone());
-            self.members.near::<V>(places, a, (self.tol, least), near);
+        let reach = level.reach(a.radius, tol);
+        let [left, bottom] = level.place(self.low, a.x.map(|x| x - reach));
+        let [right, top] = level.place(self.low, a.x.map(|x| x + reach));
+        for y in bottom..=top {
+            let places = self.row(level, y, left..=right);
+            self.members.near::<V>(places, a, (tol, least), near);
         }
     }
 

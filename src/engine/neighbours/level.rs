@@ -71,6 +71,12 @@ impl Level {
         self.first + self.columns * self.rows
     }
 
+    /// How far from a centre [m] those of this level may be that such a particle has within `tol` [m].
+    #[inline(always)]
+    pub(super) fn reach(&self, radius: f64, tol: f64) -> f64 {
+        (radius + self.largest + tol) * (1.0 + SPARE)
+    }
+
     /// Column and row of a point; what lies outside counts as in the nearest box.
     #[inline(always)]
     pub(super) fn place(&self, low: [f64; 2], x: [f64; 2]) -> [usize; 2] {

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::blocks::Blocks;
 use super::carry::{NEW, carry, places};
 use super::found::Meant;
 use super::grid::Grid;
@@ -15,6 +16,7 @@ use super::travel::Travel;
 use super::whose::Whose;
 use super::{Slot, Status, room};
 use crate::engine::boundary::cell::Cell;
+use crate::engine::lanes::Isa;
 use crate::engine::particles::{Particles, Row};
 use crate::engine::threads::Threads;
 use crate::engine::wall::Wall;
@@ -57,6 +59,17 @@ pub struct ContactList {
     work: Work,
 }
 
+/// A list that is wanted, and by whom.
+#[derive(Clone, Copy)]
+pub(in crate::engine) struct Wanted<'a> {
+    /// Halo, one with another [m].
+    pub(in crate::engine) tol: f64,
+    /// Whether it may be wide in one place and narrow in another.
+    pub(in crate::engine) local: bool,
+    pub(in crate::engine) isa: Isa,
+    pub(in crate::engine) threads: &'a Threads,
+}
+
 /// Buffers of the rebuild.
 #[derive(Debug, Default)]
 struct Work {
@@ -85,16 +98,33 @@ impl ContactList {
         particles: &Particles,
         walls: &[Wall],
         cell: Option<&Cell>,
-        sought: Sought<'_>,
+        wanted: Wanted<'_>,
     ) -> Vec<u32> {
         let rows = &particles.row;
-        let Sought { tol, .. } = sought;
+        let Wanted {
+            tol,
+            local,
+            isa,
+            threads,
+        } = wanted;
         // The boxes have bounds of their own: in a cell images are in them, too.
         let mut bounds = Bounds::default();
         self.travel.begin(rows.iter().map(|&Row { x, radius, .. }| {
             bounds.take_in(x, radius);
             x
         }));
+        let [smallest, largest] = bounds.radii;
+        self.smallest = smallest;
+        self.radius = bounds.sums[0] / rows.len() as f64;
+        let assembly = (bounds.extent, [largest, self.radius]);
+        let local = (local && cell.is_none()).then_some(assembly);
+        self.travel.lay(local, tol);
+        let halos = &self.travel.halos;
+        let sought = Sought {
+            halos,
+            isa,
+            threads,
+        };
         let work = &mut self.work;
         let [pairs, at_walls] = room(rows.len());
         work.walls.clear();
@@ -112,17 +142,14 @@ impl ContactList {
                 None
             }
         };
-        search::wall_pairs(boxes, rows, walls, tol, &mut work.walls);
-        self.carry_over([pairs, at_walls], rows.len(), sought.threads);
-        let [smallest, largest] = bounds.radii;
-        self.smallest = smallest;
-        self.radius = bounds.sums[0] / rows.len() as f64;
-        let margin = largest + 2.0 * tol;
+        search::wall_pairs(boxes, rows, walls, halos.wall(), &mut work.walls);
+        let (mean, margin) = (halos.mean(), largest + 2.0 * halos.wall());
+        self.carry_over([pairs, at_walls], rows.len(), threads);
         self.span = [
             bounds.extent.low.map(|x| x - margin),
             bounds.extent.high.map(|x| x + margin),
         ];
-        self.travel.within(self.span, 2.0 * largest + tol);
+        self.travel.within(self.span, 2.0 * largest + mean);
         self.rebuilds += 1;
         std::mem::take(&mut self.work.old)
     }
@@ -186,7 +213,7 @@ impl ContactList {
         let [pairs, at_walls, all] = [self.pairs.len(), self.walls.len(), self.len()];
         let known = |p: u32| (p as usize) < particles;
         let fits = self.pairs.is_sorted()
-            && (self.rebuilds == 0 || self.travel.particles() == particles)
+            && (self.rebuilds == 0 || self.travel.unpack(particles))
             && self.pairs.iter().flatten().all(|&p| known(p))
             && self.walls.is_sorted_by_key(|wall| wall.particle)
             && (self.walls.iter()).all(|at| known(at.particle) && (at.wall as usize) < walls)
@@ -214,12 +241,18 @@ impl ContactList {
         &self.whose
     }
 
+    /// The halo, one particle with another [m].
+    pub(in crate::engine) fn halo(&self) -> f64 {
+        self.travel.halos.mean()
+    }
+
     /// How the list was used in the cycles up to this one.
-    pub(in crate::engine) fn usage(&self, tol: f64, cycle: u64) -> Use {
+    pub(in crate::engine) fn usage(&mut self, cycle: u64) -> Use {
         let apart = |status: &&Status| **status == Status::Apart;
         Use {
-            tol,
-            nearer: self.travel.nearer(),
+            local: !self.travel.halos.is_one(),
+            tol: self.travel.halos.mean(),
+            nearer: self.travel.spending(),
             cycles: cycle.saturating_sub(self.made),
             apart: self.status.iter().filter(apart).count(),
             particles: self.travel.particles(),
@@ -281,6 +314,9 @@ impl ContactList {
         // Two lists of pairs, and the old place of each.
         let mut contact = 2 * pair + size_of::<Slot>() + size_of::<Status>() + size_of::<u32>();
         let mut particle = Travel::BYTES + Whose::BYTES + Grid::BYTES;
+        if !self.travel.halos.is_one() {
+            particle += Blocks::BYTES;
+        }
         if shared {
             // What each thread found.
             contact += pair;
@@ -328,6 +364,8 @@ mod tests {
         made.rebuilds = 1;
         assert!(!made.unpack(2, 0));
         made.travel.begin([[0.0; 2]; 2].into_iter());
+        assert!(!made.unpack(2, 0));
+        made.travel.lay(None, 0.1);
         assert!(made.unpack(2, 0));
         let mut short = list(&[[0, 1], [1, 2]]);
         short.slots.pop();

@@ -3,9 +3,11 @@
 //! Cundall's halo of 1976 (Randall 1989, 4.1). The list is sorted by particle, so contact memory
 //! is carried over by walking old and new list side by side, within its own buffers.
 
+pub(super) mod blocks;
 pub(super) mod carry;
 mod found;
 mod grid;
+mod halos;
 pub(super) mod images;
 mod level;
 pub mod list;

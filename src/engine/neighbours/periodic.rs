@@ -1,6 +1,7 @@
 //! The pairs of a periodic cell: every particle at home with the images of all others around it.
 
 use super::grid::Grid;
+use super::halos::Halos;
 use super::near::{by_few, sort_few};
 use super::partner::Partner;
 use super::party::{Look, Party, Searcher};
@@ -67,16 +68,25 @@ impl Tiling {
         sought: Sought<'_>,
         party: &mut Party,
     ) {
-        self.lay(cell, rows, sought.tol);
+        self.lay(cell, rows, sought.halos.mean());
         let at = Tiled {
             rows,
             cell,
             tiling: self,
         };
         let count = rows.len() + self.images.len();
-        grid.fill(count, sought.tol, sought.threads, |k| at.spot(k));
+        grid.fill(count, sought.halos.mean(), sought.threads, |k| at.spot(k));
         let late = grid.levels.len() > 1;
-        party.search(rows.len(), late, sought, &Around { grid, at });
+        party.search(
+            rows.len(),
+            late,
+            sought,
+            &Around {
+                grid,
+                at,
+                halos: sought.halos,
+            },
+        );
     }
 }
 
@@ -110,6 +120,7 @@ impl Tiled<'_> {
 struct Around<'a> {
     grid: &'a Grid,
     at: Tiled<'a>,
+    halos: &'a Halos,
 }
 
 impl Look for Around<'_> {
@@ -123,7 +134,7 @@ impl Look for Around<'_> {
             found,
         } = searcher;
         for few in by_few(stretch.clone()) {
-            self.grid.gather::<V>(few.clone(), near);
+            self.grid.gather::<V>(few.clone(), self.halos, near);
             for (k, p) in few.enumerate() {
                 let (noted, own) = near.of(k);
                 let (home, p) = (strayed[p], p as u32);
@@ -203,7 +214,8 @@ mod tests {
             let (mut tiling, mut grid) = (Tiling::default(), Grid::default());
             for isa in Isa::ALL.into_iter().filter(|isa| isa.is_here()) {
                 let threads = &Threads::default();
-                let sought = Sought { tol: 0.05, isa, threads };
+                let halos = &Halos::everywhere(0.05);
+                let sought = Sought { halos, isa, threads };
                 tiling.pairs(&mut grid, (&rows, &cell), sought, &mut party);
                 prop_assert_eq!(&party.found().in_order(), &all, "{}", isa);
             }
@@ -230,7 +242,7 @@ mod tests {
         let found = |threads: usize| {
             let (mut party, mut grid) = (Party::default(), Grid::default());
             let sought = Sought {
-                tol: 0.05,
+                halos: &Halos::everywhere(0.05),
                 isa: Isa::default(),
                 threads: &Threads::new(threads),
             };

@@ -1,6 +1,7 @@
 //! The search itself: pairs of particles, and pairs of particle and wall, within TOL.
 
 use super::grid::Grid;
+use super::halos::Halos;
 use super::near::{by_few, sort_few};
 use super::party::{Look, Party, Searcher};
 use super::spot::Spot;
@@ -13,23 +14,35 @@ use crate::engine::wall_contact::{self, WallPair};
 
 /// What is sought, and by whom.
 #[derive(Clone, Copy)]
-pub(in crate::engine) struct Sought<'a> {
-    /// Whoever is nearer than this [m].
-    pub(in crate::engine) tol: f64,
-    pub(in crate::engine) isa: Isa,
-    pub(in crate::engine) threads: &'a Threads,
+pub(super) struct Sought<'a> {
+    /// Whoever is nearer than the halo of the one who looks.
+    pub(super) halos: &'a Halos,
+    pub(super) isa: Isa,
+    pub(super) threads: &'a Threads,
 }
 
 /// Finds each pair that is sought; leaves the boxes filled.
 pub(super) fn pairs(grid: &mut Grid, rows: &[Row], sought: Sought<'_>, party: &mut Party) {
-    let spot = |p: usize| Spot::new(rows[p].x, rows[p].radius);
-    grid.fill(rows.len(), sought.tol, sought.threads, spot);
+    let Sought { halos, threads, .. } = sought;
+    let spot = |p: usize| {
+        let Row { x, radius, .. } = rows[p];
+        Spot {
+            x,
+            radius,
+            tile: halos.tile(x),
+            home: 0,
+        }
+    };
+    grid.fill(rows.len(), halos.mean(), threads, spot);
     let late = grid.levels.len() > 1;
-    party.search(rows.len(), late, sought, &Around(grid));
+    party.search(rows.len(), late, sought, &Around { grid, halos });
 }
 
 /// Looks around particles where there is no cell.
-struct Around<'a>(&'a Grid);
+struct Around<'a> {
+    grid: &'a Grid,
+    halos: &'a Halos,
+}
 
 impl Look for Around<'_> {
     #[inline(always)]
@@ -41,7 +54,7 @@ impl Look for Around<'_> {
             ..
         } = searcher;
         for few in by_few(stretch.clone()) {
-            self.0.gather::<V>(few.clone(), near);
+            self.grid.gather::<V>(few.clone(), self.halos, near);
             for (k, p) in few.enumerate() {
                 let (noted, own) = near.of(k);
                 let p = p as u32;
@@ -157,7 +170,8 @@ mod tests {
             let isas = || Isa::ALL.into_iter().filter(|isa| isa.is_here());
             for (threads, isa) in [1, 1, 3].into_iter().flat_map(|n| isas().map(move |isa| (n, isa))) {
                 let threads = &Threads::new(threads);
-                pairs(&mut grid, &rows, Sought { tol, isa, threads }, &mut party);
+                let halos = &Halos::everywhere(tol);
+            pairs(&mut grid, &rows, Sought { halos, isa, threads }, &mut party);
                 prop_assert_eq!(&party.found().in_order(), &here, "{}", isa);
             }
             prop_assert!(equal || rows.len() < 40 || grid.levels.len() > 3);
@@ -185,7 +199,8 @@ mod tests {
             let mut grid = Grid::default();
             let mut party = Party::default();
             let (isa, threads) = (Isa::default(), &Threads::default());
-            pairs(&mut grid, &rows, Sought { tol, isa, threads }, &mut party);
+            let halos = &Halos::everywhere(tol);
+            pairs(&mut grid, &rows, Sought { halos, isa, threads }, &mut party);
             let [mut by_boxes, mut by_all] = [Vec::new(), Vec::new()];
             wall_pairs(Some(&grid), &rows, &walls, tol, &mut by_boxes);
             wall_pairs(None, &rows, &walls, tol, &mut by_all);
@@ -214,7 +229,17 @@ mod tests {
             rows[899].x[1] += away;
             let (mut grid, mut party) = (Grid::default(), Party::default());
             let (isa, threads) = (Isa::default(), &Threads::default());
-            pairs(&mut grid, &rows, Sought { tol, isa, threads }, &mut party);
+            let halos = &Halos::everywhere(tol);
+            pairs(
+                &mut grid,
+                &rows,
+                Sought {
+                    halos,
+                    isa,
+                    threads,
+                },
+                &mut party,
+            );
             let spots: Vec<Spot> = (rows.iter())
                 .map(|row| Spot::new(row.x, row.radius))
                 .collect();

@@ -12,6 +12,9 @@ const DENSE: f64 = 1.7;
 /// all but touch are listed in any halo.
 const THIN: f64 = 0.1;
 
+/// Where halos differ, most pairs out of touch are in wide ones, and these grow with the square of their width.
+const STEEP: f64 = 2.0;
+
 /// Bounds, in radii. In a slowly sheared assembly a few thousandths are best. Where 100 000 discs rain
 /// three quarters are faster than one by 1 to 3 %; half lost up to 9 % against one, one and a half 20 %.
 const BOUNDS: [f64; 2] = [0.001, 0.75];
@@ -23,6 +26,8 @@ const STEPS: [f64; 2] = [8.0, 2.0];
 /// What the halo is chosen from.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::engine) struct Use {
+    /// Whether halos differ; those below are means then.
+    pub(in crate::engine) local: bool,
     /// Halo of the present list [m].
     pub(in crate::engine) tol: f64,
     /// How much nearer two particles came, at most, since it was made [m].
@@ -47,7 +52,11 @@ impl Use {
         }
         let dense = DENSE / self.radius;
         let counted = self.apart as f64 / (self.particles.max(1) as f64 * self.tol);
-        let slope = counted.clamp(THIN * dense, dense);
+        let slope = if self.local {
+            STEEP * counted.max(THIN * dense)
+        } else {
+            counted.clamp(THIN * dense, dense)
+        };
         let [least, most] = BOUNDS.map(|bound| bound * self.radius);
         let best = (SEARCH * per_cycle / slope).sqrt().clamp(least, most);
         if best.is_finite() { best } else { self.tol }
@@ -65,6 +74,7 @@ mod tests {
     use super::*;
 
     const STEADY: Use = Use {
+        local: false,
         tol: 0.1,
         nearer: 0.1,
         cycles: 100,

@@ -12,12 +12,20 @@ pub(super) struct Spot {
     pub(super) radius: f64,
     /// Which box.
     pub(super) home: u32,
+    /// Which tile of the halos.
+    pub(super) tile: u32,
 }
 
 impl Spot {
+    /// In the first of either.
     pub(super) fn new(x: [f64; 2], radius: f64) -> Self {
-        let home = 0;
-        Self { x, radius, home }
+        let (home, tile) = (0, 0);
+        Self {
+            x,
+            radius,
+            home,
+            tile,
+        }
     }
 
     /// Whether the surfaces are nearer than `tol` [m].

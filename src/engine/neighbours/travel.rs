@@ -2,10 +2,17 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::blocks::{Blocks, Moved};
+use super::halos::Halos;
 use crate::engine::extent::Extent;
 use crate::engine::lanes::Lanes;
 use crate::engine::particles::Row;
 use crate::engine::threads::Threads;
+
+/// A list that is measured goes on if less than this share of its one halo is spent. To measure costs a twentieth
+/// of making a list; where it shows that half of what was supposed is spent, as where all fall, measures
+/// come after half of what is left, and that after .875 would win less than it costs.
+const SPENT: f64 = 0.85;
 
 /// Way since the list was made.
 #[derive(Debug, Default, Serialize, Deserialize)]
@@ -24,6 +31,10 @@ pub(in crate::engine) struct Travel {
     stretch: f64,
     /// Largest distance of centres in the list [m].
     reach: f64,
+    /// How far they may go.
+    pub(super) halos: Halos,
+    /// Ways of blocks, where halos differ.
+    pub(in crate::engine) blocks: Blocks,
 }
 
 impl Travel {
@@ -35,7 +46,27 @@ impl Travel {
         self.reference.clear();
         self.reference.extend(centres);
         (self.furthest, self.nearing) = (0.0, 0.0);
-        (self.wall, self.stretch) = (0.0, 0.0);
+        self.stretch = 0.0;
+    }
+
+    /// They are to be listed within `tol` [m], one with another: of an assembly of this extent, largest and
+    /// mean radius [m] where ways since the last list were long, else everywhere.
+    pub(super) fn lay(&mut self, local: Option<(Extent, [f64; 2])>, tol: f64) {
+        match &local {
+            Some((extent, radii)) => self.halos.lay(extent, *radii, tol),
+            None => self.halos.be_one(tol),
+        }
+        self.blocks
+            .begin(&self.reference, &mut self.halos, self.wall);
+        self.wall = 0.0;
+    }
+
+    /// After reading a checkpoint. False if it is not that of a list of so many particles.
+    #[must_use]
+    pub(super) fn unpack(&mut self, particles: usize) -> bool {
+        self.reference.len() == particles
+            && self.halos.fit()
+            && self.blocks.unpack(&self.reference, &self.halos)
     }
 
     /// All of them are in this box [m], and listed ones not further apart than `reach` [m].
@@ -53,11 +84,13 @@ impl Travel {
     pub(in crate::engine) fn go_on(&mut self, step: f64) {
         self.furthest += step;
         self.nearing += 2.0 * step;
+        self.blocks.come_nearer(2.0 * step);
     }
 
     /// In one more cycle no wall moved further than this [m].
     pub(in crate::engine) fn wall_goes_on(&mut self, step: f64) {
         self.wall += step;
+        self.blocks.come_nearer(step);
     }
 
     /// Takes the centres that ways are measured from along with an imposed flow, which stretched nothing
@@ -69,12 +102,43 @@ impl Travel {
     ) {
         self.frame[1] = self.frame[1].map(moved);
         self.stretch += stretched;
+        self.blocks.lose();
+    }
+
+    /// Whether all who can touch are listed for certain.
+    pub(in crate::engine) fn lasts(&mut self, rows: &[Row], threads: &Threads) -> bool {
+        if !self.blocks.are_there() {
+            return self.nearer() < self.halos.mean();
+        }
+        let moved = Moved {
+            rows,
+            reference: &self.reference,
+            threads,
+        };
+        self.blocks.last(&self.halos, self.wall, moved)
+    }
+
+    /// Whether, as far as was measured, nearly all of a halo is spent.
+    pub(in crate::engine) fn is_spent(&self) -> bool {
+        if self.blocks.are_there() {
+            self.blocks.is_spent(&self.halos, self.wall)
+        } else {
+            self.nearer() >= SPENT * self.halos.mean()
+        }
     }
 
     /// Looks how far particles really moved, but for the flow. No two can have come nearer by more than
     /// the diagonal of a box around all moves and none, nor than twice the furthest: what falls on what
     /// lies counts its way once.
     pub(in crate::engine) fn measure(&mut self, rows: &[Row], threads: &Threads) {
+        if self.blocks.are_there() {
+            let moved = Moved {
+                rows,
+                reference: &self.reference,
+                threads,
+            };
+            return self.blocks.measure_all(&self.halos, moved);
+        }
         let [old, new] = &self.frame;
         let size = [old[1][0] - old[0][0], old[2][1] - old[0][1]];
         let still = old == new;
@@ -108,8 +172,17 @@ impl Travel {
         self.nearing = diagonal.smaller(2.0 * self.furthest);
     }
 
+    /// What of the halo is spent, as far as was measured, one particle with another [m].
+    pub(super) fn spending(&mut self) -> f64 {
+        if self.blocks.are_there() {
+            self.blocks.want(&self.halos)
+        } else {
+            self.nearer()
+        }
+    }
+
     /// How much nearer two particles, or a particle and a wall, can have come [m].
-    pub(in crate::engine) fn nearer(&self) -> f64 {
+    pub(super) fn nearer(&self) -> f64 {
         let at_wall = self.furthest + self.wall;
         self.nearing.max(at_wall) + self.stretch * self.reach
     }
@@ -156,6 +229,26 @@ mod tests {
         assert_eq!(travel.nearer(), 7.25);
         travel.flow_on(0.5, |x| x);
         assert_eq!(travel.nearer(), 8.25);
+    }
+
+    #[test]
+    fn a_flow_ends_a_list_whose_halos_differ() {
+        let centres = (0..900).map(|k| [f64::from(k % 30), f64::from(k / 30)]);
+        let rows: Vec<Row> = (centres.clone())
+            .map(|x| Row::new(x, 0.25, [0.0; 2], 0.0))
+            .collect();
+        let (mut travel, threads) = (Travel::default(), Threads::default());
+        travel.begin(centres);
+        let extent = Extent {
+            low: [0.0; 2],
+            high: [29.0; 2],
+        };
+        travel.lay(Some((extent, [0.25; 2])), 0.1);
+        assert!(!travel.halos.is_one() && travel.lasts(&rows, &threads));
+        travel.flow_on(0.0, |x| x);
+        assert!(!travel.lasts(&rows, &threads));
+        travel.measure(&rows, &threads);
+        assert!(travel.is_spent());
     }
 
     #[test]
