@@ -149,13 +149,13 @@ fn rain() -> Setup {
     });
     setup.ledger = false;
     setup.damping.contact = Dashpot::Fraction(0.2);
-    for k in 0..2000 {
-        let (column, row) = (f64::from(k % 40), f64::from(k / 40));
+    for k in 0..4200 {
+        let (column, row) = (f64::from(k % 84), f64::from(k / 84));
         let mut disc = particle(1.1 * column, 0.5 + 1.02 * row, 0.45);
-        disc.velocity[1] = if k < 800 { 0.0 } else { -15.0 };
+        disc.velocity[1] = if k < 1680 { 0.0 } else { -15.0 };
         setup.particles.push(disc);
     }
-    setup.walls = vec![wall("floor", [-50.0, 0.0], [99.0, 0.0])];
+    setup.walls = vec![wall("floor", [-50.0, 0.0], [199.0, 0.0])];
     setup
 }
 

@@ -8,7 +8,7 @@ use ballast::record::checkpoint;
 use common::*;
 
 const RADIUS: f64 = 0.45;
-const COLUMNS: usize = 40;
+const COLUMNS: usize = 84;
 
 /// Discs that lie in rows, others that fall on them, with gaps between all, and a heavy one that is shot
 /// through either.

@@ -253,7 +253,7 @@ impl World {
         &self.fracc
     }
 
-    /// Halo within which pairs are listed [m].
+    /// Halo within which pairs are listed, the mean where it differs from place to place [m].
     pub fn tol(&self) -> f64 {
         self.tol
     }

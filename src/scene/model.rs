@@ -109,7 +109,9 @@ const KEYS: &[Key] = &[
         name: "tol",
         form: Form::Number(Bounds::POSITIVE),
         unit: "m",
-        absent: Absent::Said("a tenth of the smallest radius, then what motion makes best"),
+        absent: Absent::Said(
+            "a tenth of the smallest radius, then what motion makes best, where there are many as wide as motion there asks",
+        ),
         summary: "gap within which a pair is listed as neighbours (TOL)",
     },
 ];

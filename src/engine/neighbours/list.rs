@@ -59,6 +59,9 @@ pub struct ContactList {
     work: Work,
 }
 
+/// Fewer particles than these are soon looked for everywhere.
+const MANY: usize = 4096;
+
 /// A list that is wanted, and by whom.
 #[derive(Clone, Copy)]
 pub(in crate::engine) struct Wanted<'a> {
@@ -117,7 +120,7 @@ impl ContactList {
         self.smallest = smallest;
         self.radius = bounds.sums[0] / rows.len() as f64;
         let assembly = (bounds.extent, [largest, self.radius]);
-        let local = (local && cell.is_none()).then_some(assembly);
+        let local = (local && cell.is_none() && rows.len() >= MANY).then_some(assembly);
         self.travel.lay(local, tol);
         let halos = &self.travel.halos;
         let sought = Sought {

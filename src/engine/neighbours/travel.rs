@@ -175,7 +175,7 @@ impl Travel {
     /// What of the halo is spent, as far as was measured, one particle with another [m].
     pub(super) fn spending(&mut self) -> f64 {
         if self.blocks.are_there() {
-            self.blocks.want(&self.halos)
+            self.blocks.spending(&self.halos, self.wall)
         } else {
             self.nearer()
         }

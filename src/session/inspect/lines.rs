@@ -33,7 +33,7 @@ fn far(world: &World, id: u32, partner: &Partner) -> String {
         return format!("ball {id} or its partner does not exist");
     };
     format!(
-        "{} are no neighbours: the gap between them is {} m, tol is {} m",
+        "{} are no neighbours: the gap between them is {} m, tol is {} m in the mean",
         names(world, i, other),
         figure(world.gap(i, other)),
         figure(world.tol())
