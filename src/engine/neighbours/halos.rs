@@ -15,9 +15,11 @@ const WIDE: f64 = 12.0;
 /// Particles of tiles that do not touch are at least so many mean radii from touching: no halo is wider.
 const APART: f64 = 8.0;
 
-/// Fewer tiles than this tell nothing from anything, and an assembly with more has flown apart.
+/// Fewer tiles than this tell nothing from anything.
 const FEWEST: usize = 25;
-const MOST: usize = 1 << 30;
+
+/// There is a tile for so many particles at most: assemblies that fly apart get larger ones.
+pub(super) const IN_A_TILE: usize = 8;
 
 /// Tiles are wider than they must be by this share, more than rounding can move a centre.
 const SPARE: f64 = 1e-6;
@@ -71,13 +73,27 @@ impl Halos {
         self.begin([1, 1], tol);
     }
 
-    /// Lays tiles over an assembly of particles with this largest and this mean radius [m], each with this
-    /// halo [m]: only one if more would be of no use.
-    pub(super) fn lay(&mut self, extent: &Extent, [largest, mean]: [f64; 2], tol: f64) {
-        let width = (WIDE * mean).max(2.0 * largest + APART * mean) * (1.0 + SPARE);
-        let tiles = (extent.size()).map(|size| ((size / width) as usize).saturating_add(1));
-        let count = tiles[0].saturating_mul(tiles[1]);
-        if !width.is_finite() || width <= 0.0 || !(FEWEST..MOST).contains(&count) {
+    /// Lays tiles over an assembly of so many particles with this largest and this mean radius [m], each
+    /// with this halo [m]: only one if more would be of no use.
+    pub(super) fn lay(
+        &mut self,
+        extent: &Extent,
+        (particles, [largest, mean]): (usize, [f64; 2]),
+        tol: f64,
+    ) {
+        let size = extent.size();
+        let fits = |x: f64| x.is_finite() && x > 0.0;
+        let mut width = (WIDE * mean).max(2.0 * largest + APART * mean) * (1.0 + SPARE);
+        if !fits(width) || !size.into_iter().all(fits) {
+            return self.be_one(tol);
+        }
+        let tiles = |width: f64| size.map(|size| ((size / width) as usize).saturating_add(1));
+        let count = |[columns, rows]: [usize; 2]| columns.saturating_mul(rows);
+        while count(tiles(width)) > particles.div_ceil(IN_A_TILE).max(FEWEST) {
+            width *= 1.25;
+        }
+        let tiles = tiles(width);
+        if count(tiles) < FEWEST {
             return self.be_one(tol);
         }
         (self.low, self.per_metre) = (extent.low, 1.0 / width);
@@ -191,7 +207,7 @@ mod tests {
 
     fn over(extent: &Extent, radii: [f64; 2]) -> Halos {
         let mut halos = Halos::everywhere(0.1);
-        halos.lay(extent, radii, 0.5);
+        halos.lay(extent, (1000, radii), 0.5);
         halos
     }
 
@@ -213,14 +229,18 @@ mod tests {
         };
         let one = over(&small, [1.0, 1.0]);
         assert_eq!(one, Halos::everywhere(0.5));
-        // A large ball among small ones, nothing at all, and an assembly that flew apart.
+        // A large ball among small ones, and nothing at all.
         assert!(over(&small, [10.0, 1.0]).is_one());
         assert!(over(&Extent::default(), [0.0, f64::NAN]).is_one());
-        let far = Extent {
-            high: [1e300, 1.0],
-            ..small
+        // One that flew away makes them larger, not many, unless it is nowhere.
+        let with = |x: f64| {
+            let mut extent = small;
+            extent.high[0] = x;
+            over(&extent, [1.0, 1.0])
         };
-        assert!(over(&far, [1.0, 1.0]).is_one());
+        assert!((FEWEST..=125).contains(&with(1e6).widths.len()));
+        assert!((FEWEST..=125).contains(&with(1e300).widths.len()));
+        assert!(with(f64::INFINITY).is_one());
     }
 
     proptest! {

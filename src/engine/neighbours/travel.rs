@@ -52,8 +52,9 @@ impl Travel {
     /// They are to be listed within `tol` [m], one with another: of an assembly of this extent, largest and
     /// mean radius [m] where ways since the last list were long, else everywhere.
     pub(super) fn lay(&mut self, local: Option<(Extent, [f64; 2])>, tol: f64) {
+        let particles = self.reference.len();
         match &local {
-            Some((extent, radii)) => self.halos.lay(extent, *radii, tol),
+            Some((extent, radii)) => self.halos.lay(extent, (particles, *radii), tol),
             None => self.halos.be_one(tol),
         }
         self.blocks

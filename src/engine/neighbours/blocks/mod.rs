@@ -7,7 +7,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::halos::Halos;
+use super::halos::{Halos, IN_A_TILE};
 use crate::engine::extent::Extent;
 use crate::engine::lanes::Lanes;
 use crate::engine::particles::Row;
@@ -95,8 +95,9 @@ pub(super) struct Moved<'a> {
 
 impl Blocks {
     /// Bytes per particle, at most, tiles included.
-    pub(super) const BYTES: usize =
-        (size_of::<Extent>() + TILES * (size_of::<Member>() + Tiles::BYTES)).div_ceil(BLOCK);
+    pub(super) const BYTES: usize = (size_of::<Extent>() + TILES * size_of::<Member>())
+        .div_ceil(BLOCK)
+        + Tiles::BYTES / IN_A_TILE;
 
     /// Whether there are any.
     pub(super) fn are_there(&self) -> bool {
@@ -339,7 +340,7 @@ impl Blocks {
 }
 
 impl Tiles {
-    /// Bytes per tile, at most: there are fewer than members.
+    /// Bytes per tile.
     const BYTES: usize = size_of::<u32>() + 2 * size_of::<Extent>() + 4 * size_of::<f64>() + 2;
 }
 
