@@ -257,7 +257,7 @@ mod tests {
             let (one, other) = (place(a), place(b));
             if (0..2).any(|k| one[k].abs_diff(other[k]) > 1) {
                 let [d1, d2] = [0, 1].map(|k| b[k] - a[k]);
-                prop_assert!(d1.hypot(d2) - 2.0 * 1.25 > tiles.apart());
+                prop_assert!(libm::hypot(d1, d2) - 2.0 * 1.25 > tiles.apart());
             }
         }
 

@@ -313,7 +313,9 @@ mod tests {
             fault_of(b"[about]\ntitle = 1\n"),
             CheckpointFault::NotACheckpoint
         );
-        assert_eq!(changed(8, 9), CheckpointFault::OtherFormat { found: 9 });
+        let found = FORMAT + 1;
+        let other = CheckpointFault::OtherFormat { found };
+        assert_eq!(changed(8, found as u8), other);
         assert_eq!(
             changed(HEADER + 3, !good[HEADER + 3]),
             CheckpointFault::Checksum

@@ -54,7 +54,7 @@ impl Listed {
         for (p, row) in self.rows.iter_mut().enumerate() {
             row.v = velocity(p);
             row.x = [row.x[0] + row.v[0], row.x[1] + row.v[1]];
-            fastest = fastest.max(row.v[0].hypot(row.v[1]));
+            fastest = fastest.max(libm::hypot(row.v[0], row.v[1]));
         }
         let mut ways = self.blocks.take();
         go_on(&mut ways, &self.rows, 1.0);
@@ -81,8 +81,8 @@ impl Listed {
             few.clone().any(|q| {
                 let (a, b) = (way(p), way(q));
                 let far = [0, 1].map(|k| self.centres[p][k] - self.centres[q][k]);
-                far[0].hypot(far[1]) < 5.0
-                    && (a[0] - b[0]).hypot(a[1] - b[1]) > halo(p).min(halo(q))
+                libm::hypot(far[0], far[1]) < 5.0
+                    && libm::hypot(a[0] - b[0], a[1] - b[1]) > halo(p).min(halo(q))
             })
         })
     }
