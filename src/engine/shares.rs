@@ -23,8 +23,8 @@ pub(super) fn pairs(total: usize, parts: usize, part: usize) -> std::ops::Range<
     whole(fair.start)..end
 }
 
-/// Particles of one part: those from the first body of its first pair, `pairs` ascending, in whole blocks of
-/// this size, but for the last.
+/// Particles of one part: those from the first body of its first pair, `pairs` ascending, in whole blocks
+/// of this size, but for the last.
 pub(super) fn particles(
     list: &[[u32; 2]],
     count: usize,
@@ -85,6 +85,11 @@ mod tests {
     #[test]
     fn particles_go_with_their_pairs() {
         let chain: Vec<[u32; 2]> = (0..999).map(|k| [k, k + 1]).collect();
+        // Unless there are blocks that must not be cut.
+        let cuts: Vec<_> = (0..3)
+            .map(|part| particles(&chain, 1000, (3, part), 16))
+            .collect();
+        assert_eq!(cuts, [0..320, 320..656, 656..1000]);
         for parts in 2..5 {
             for (part, own) in stretches(&chain, 1000, parts).iter().enumerate() {
                 assert_eq!(own.start, pairs(999, parts, part).start);

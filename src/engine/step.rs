@@ -90,7 +90,7 @@ impl World {
 
     pub(super) fn pass_over_particles(
         &mut self,
-        work: impl Fn(Inputs<'_>, &mut Rows, &mut [Sum], (&mut [Extent], &Threads)) -> Watch,
+        work: impl Fn(Inputs<'_>, &mut Rows, &mut [Sum], &mut [Extent], &Threads) -> Watch,
     ) -> Watch {
         let mut ways = self.contacts.travel.blocks.take();
         let part = self.kick_part();
@@ -131,7 +131,7 @@ impl World {
             isa: self.isa,
         };
         let Particles { row, force, .. } = particles;
-        let watch = work(inputs, row, force, (&mut ways, threads));
+        let watch = work(inputs, row, force, &mut ways, threads);
         contacts.travel.blocks.give_back(ways);
         watch
     }

@@ -253,9 +253,14 @@ impl World {
         &self.fracc
     }
 
-    /// Halo within which pairs are listed, the mean where it differs from place to place [m].
+    /// Halo within which pairs are listed, or [the mean](Self::tol_is_mean) of it [m].
     pub fn tol(&self) -> f64 {
         self.tol
+    }
+
+    /// Whether the halo differs from place to place.
+    pub fn tol_is_mean(&self) -> bool {
+        self.contacts.has_halos()
     }
 
     /// Number of threads.

@@ -20,12 +20,12 @@ const AHEAD: usize = 16;
 
 /// Where forces are found.
 #[derive(Clone, Copy)]
-pub(super) struct Gather {
+pub(super) struct Gather<'a> {
     slots: *const f64,
     places: *const Places,
     particles: usize,
     /// Places of those that had none of their own.
-    more: *const u32,
+    more: &'a [u32],
     /// First contact of each particle with a wall, if anybody is near one.
     walls: Option<*const u32>,
 }
@@ -39,12 +39,12 @@ pub(super) struct Total<Q> {
     pub(super) size: Q,
 }
 
-impl Gather {
+impl<'a> Gather<'a> {
     /// From the list of contacts of so many particles.
     ///
     /// # Panics
     /// If its contacts were not noted, or are those of another number of particles.
-    pub(super) fn new(contacts: &ContactList, particles: usize) -> Self {
+    pub(super) fn new(contacts: &'a ContactList, particles: usize) -> Self {
         let whose = contacts.whose();
         assert!(
             whose.places().len() == particles
@@ -57,7 +57,7 @@ impl Gather {
             slots: contacts.slots.as_ptr().cast(),
             places: whose.places().as_ptr(),
             particles,
-            more: whose.more().as_ptr(),
+            more: whose.more(),
             walls: whose.meet_walls().then(|| whose.walls().as_ptr()),
         }
     }
@@ -127,14 +127,15 @@ impl Gather {
     /// Adds what stands in the last place of a kind: a slot, or where it and others are.
     #[inline(always)]
     unsafe fn others<Q: Quad, const SIZE: bool>(&self, mut sum: Total<Q>, last: u32) -> Total<Q> {
-        // SAFETY: the caller's: it is a last place, and slots there are.
+        // SAFETY: the caller's: it is a last place. Places of several were noted with how many follow, and
+        // name slots there are.
         unsafe {
             let Some(at) = Whose::more_at(last) else {
                 return sum.and::<SIZE>(self.slots.add(last as usize));
             };
-            let count = *self.more.add(at) as usize;
-            for k in at + 1..=at + count {
-                sum = sum.and::<SIZE>(self.slots.add(*self.more.add(k) as usize));
+            let count = *self.more.get_unchecked(at) as usize;
+            for slot in self.more.get_unchecked(at + 1..=at + count) {
+                sum = sum.and::<SIZE>(self.slots.add(*slot as usize));
             }
         }
         sum

@@ -99,9 +99,9 @@ impl<Q: Quad> Seen<Q> {
 }
 
 /// The loop over a stretch, ready to run.
-struct Loop<Q: Quad, D> {
+struct Loop<'a, Q: Quad, D> {
     drag: D,
-    gather: Gather,
+    gather: Gather<'a>,
     mobility: *const f64,
     /// Constant forces, if any.
     body: Option<*const [f64; 2]>,
@@ -172,9 +172,9 @@ fn run<Q: Quad, D: Drag, const SUM: u8, const MOVE: bool, const MORE: bool>(
     watched.result()
 }
 
-impl<Q: Quad, D: Drag> Loop<Q, D> {
+impl<'a, Q: Quad, D: Drag> Loop<'a, Q, D> {
     #[inline(always)]
-    fn new(inputs: &Inputs<'_>, drag: D) -> Self {
+    fn new(inputs: &Inputs<'a>, drag: D) -> Self {
         let body = (!inputs.body.is_empty()).then_some(inputs.body.as_ptr());
         let flow = inputs.flow.map(|(rate, [c1, c2])| {
             [

@@ -105,6 +105,9 @@ struct Stretch<'a> {
     ask: bool,
 }
 
+/// What is wrong if a stretch cannot be cut.
+const FEWER: &str = "a stretch is longer than its part";
+
 impl Stretch<'_> {
     /// Cuts off the part before this particle, with so many images.
     fn cut(&mut self, end: usize, images: usize) -> Self {
@@ -112,10 +115,10 @@ impl Stretch<'_> {
         let blocks = self.ways.len().min(count / BLOCK);
         Self {
             first: std::mem::replace(&mut self.first, end),
-            rows: self.rows.split_off_mut(..count).unwrap_or_default(),
-            images: self.images.split_off_mut(..images).unwrap_or_default(),
-            force: self.force.split_off_mut(..count).unwrap_or_default(),
-            ways: self.ways.split_off_mut(..blocks).unwrap_or_default(),
+            rows: self.rows.split_off_mut(..count).expect(FEWER),
+            images: self.images.split_off_mut(..images).expect(FEWER),
+            force: self.force.split_off_mut(..count).expect(FEWER),
+            ways: self.ways.split_off_mut(..blocks).expect(FEWER),
             ask: self.ask,
         }
     }
@@ -126,9 +129,10 @@ pub(super) fn advance(
     inputs: Inputs<'_>,
     rows: &mut Rows,
     force: &mut [Sum],
-    (ways, threads): (&mut [Extent], &Threads),
+    ways: &mut [Extent],
+    threads: &Threads,
 ) -> Watch {
-    in_stretches(&inputs, rows, force, (ways, threads), |stretch| {
+    in_stretches(&inputs, rows, force, ways, threads, |stretch| {
         let watch = if stretch.ways.is_empty() {
             kernel::advance(&inputs, stretch)
         } else {
@@ -146,9 +150,10 @@ pub(super) fn settle(
     inputs: Inputs<'_>,
     rows: &mut Rows,
     force: &mut [Sum],
-    (ways, threads): (&mut [Extent], &Threads),
+    ways: &mut [Extent],
+    threads: &Threads,
 ) -> Watch {
-    in_stretches(&inputs, rows, force, (ways, threads), |stretch| {
+    in_stretches(&inputs, rows, force, ways, threads, |stretch| {
         kernel::sum(&inputs, stretch)
     })
 }
@@ -175,14 +180,15 @@ fn noting_ways(inputs: &Inputs<'_>, stretch: &mut Stretch<'_>) -> Watch {
     watch
 }
 
-/// So many particles stay near the processor.
-const NEAR: usize = 64 / BLOCK * BLOCK;
+/// So many particles stay near the processor: 32 kB of rows, of 512, did not.
+const NEAR: usize = 4 * BLOCK;
 
 fn in_stretches(
     inputs: &Inputs<'_>,
     rows: &mut Rows,
     force: &mut [Sum],
-    (ways, threads): (&mut [Extent], &Threads),
+    ways: &mut [Extent],
+    threads: &Threads,
     work: impl Fn(&mut Stretch<'_>) -> Watch + Sync,
 ) -> Watch {
     let (rows, images) = rows.split();

@@ -47,7 +47,8 @@ impl Grid {
     pub(super) const BYTES: usize =
         size_of::<Spot>() + Members::BYTES + BOXES_PER_PARTICLE * size_of::<u32>();
 
-    /// Bins so many spots, of which `spot` answers each; pairs nearer than `tol` [m] can then be found.
+    /// Bins so many spots, of which `spot` answers each, in boxes that suit a search for pairs nearer than
+    /// `tol` [m].
     pub(super) fn fill(
         &mut self,
         count: usize,
@@ -148,8 +149,8 @@ impl Grid {
         usize::from(self.level[self.doublings(radius)])
     }
 
-    /// Notes for each of a few particles what is nearer to it than `tol` [m]: those after it on its
-    /// own level, where the other one looks, too, and all on coarser ones.
+    /// Notes for each of a few particles what is nearer to it than its halo: those after it on its own
+    /// level, where the other one looks, too, and all on coarser ones.
     #[inline(always)]
     pub(super) fn gather<V: Lanes>(&self, few: Range<usize>, halos: &Halos, near: &mut Near) {
         near.begin();

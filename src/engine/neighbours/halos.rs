@@ -5,7 +5,6 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::blocks::mean;
 use crate::engine::extent::Extent;
 
 /// A tile is at least so many mean radii wide: narrow enough to tell a front from what is before and behind
@@ -149,18 +148,22 @@ impl Halos {
         self.apart
     }
 
-    /// Makes them so many times what is wanted of the tiles, in which there are so many particles, and of
-    /// walls [m], and none wider than is of use.
-    pub(super) fn widen(&mut self, wanted: &[f64], particles: &[u32], wall: f64, share: f64) {
-        // Infinitely many times nothing is anything: these stay as they are.
-        if share.is_finite() {
-            for (width, wanted) in self.widths.iter_mut().zip(wanted) {
-                *width = (share * wanted).min(self.apart);
-            }
-            self.mean = mean(&self.widths, particles);
+    /// Makes those of the tiles so many times what is wanted [m], and none wider than is of use.
+    pub(super) fn widen(&mut self, wanted: &[f64], share: f64) {
+        for (width, wanted) in self.widths.iter_mut().zip(wanted) {
+            *width = (share * wanted).min(self.apart);
         }
-        if wall > 0.0 {
-            self.wall = (share * wall).min(self.apart).max(self.mean);
+    }
+
+    /// Of all particles, the mean is this [m].
+    pub(super) fn set_mean(&mut self, mean: f64) {
+        self.mean = mean;
+    }
+
+    /// The same of walls, not below the mean; as it is if nothing is wanted.
+    pub(super) fn widen_wall(&mut self, wanted: f64, share: f64) {
+        if wanted > 0.0 {
+            self.wall = (share * wanted).min(self.apart).max(self.mean);
         }
     }
 

@@ -19,6 +19,7 @@ mod periodic;
 pub(super) mod search;
 pub(super) mod skin;
 mod spot;
+mod tiles;
 pub(super) mod travel;
 pub(super) mod whose;
 

@@ -68,25 +68,17 @@ impl Tiling {
         sought: Sought<'_>,
         party: &mut Party,
     ) {
-        self.lay(cell, rows, sought.halos.mean());
+        let Sought { halos, threads, .. } = sought;
+        self.lay(cell, rows, halos.mean());
         let at = Tiled {
             rows,
             cell,
             tiling: self,
         };
         let count = rows.len() + self.images.len();
-        grid.fill(count, sought.halos.mean(), sought.threads, |k| at.spot(k));
+        grid.fill(count, halos.mean(), threads, |k| at.spot(k));
         let late = grid.levels.len() > 1;
-        party.search(
-            rows.len(),
-            late,
-            sought,
-            &Around {
-                grid,
-                at,
-                halos: sought.halos,
-            },
-        );
+        party.search(rows.len(), late, sought, &Around { grid, at, halos });
     }
 }
 

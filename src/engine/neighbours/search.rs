@@ -171,7 +171,7 @@ mod tests {
             for (threads, isa) in [1, 1, 3].into_iter().flat_map(|n| isas().map(move |isa| (n, isa))) {
                 let threads = &Threads::new(threads);
                 let halos = &Halos::everywhere(tol);
-            pairs(&mut grid, &rows, Sought { halos, isa, threads }, &mut party);
+                pairs(&mut grid, &rows, Sought { halos, isa, threads }, &mut party);
                 prop_assert_eq!(&party.found().in_order(), &here, "{}", isa);
             }
             prop_assert!(equal || rows.len() < 40 || grid.levels.len() > 3);

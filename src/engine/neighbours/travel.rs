@@ -9,9 +9,9 @@ use crate::engine::lanes::Lanes;
 use crate::engine::particles::Row;
 use crate::engine::threads::Threads;
 
-/// A list that is measured goes on if less than this share of its one halo is spent. To measure costs a twentieth
-/// of making a list; where it shows that half of what was supposed is spent, as where all fall, measures
-/// come after half of what is left, and that after .875 would win less than it costs.
+/// A list that is measured goes on if less than this share of its one halo is spent. To measure costs a
+/// twentieth of making a list; where it shows that half of what was supposed is spent, as where all fall,
+/// measures come after half of what is left, and that after .875 would win less than it costs.
 const SPENT: f64 = 0.85;
 
 /// Way since the list was made.
@@ -52,6 +52,7 @@ impl Travel {
     /// They are to be listed within `tol` [m], one with another: of an assembly of this extent, largest and
     /// mean radius [m] where ways since the last list were long, else everywhere.
     pub(super) fn lay(&mut self, local: Option<(Extent, [f64; 2])>, tol: f64) {
+        self.blocks.learn(&self.halos, self.wall);
         let particles = self.reference.len();
         match &local {
             Some((extent, radii)) => self.halos.lay(extent, (particles, *radii), tol),
@@ -111,11 +112,7 @@ impl Travel {
         if !self.blocks.are_there() {
             return self.nearer() < self.halos.mean();
         }
-        let moved = Moved {
-            rows,
-            reference: &self.reference,
-            threads,
-        };
+        let moved = Moved::new(rows, &self.reference, threads);
         self.blocks.last(&self.halos, self.wall, moved)
     }
 
@@ -133,11 +130,7 @@ impl Travel {
     /// lies counts its way once.
     pub(in crate::engine) fn measure(&mut self, rows: &[Row], threads: &Threads) {
         if self.blocks.are_there() {
-            let moved = Moved {
-                rows,
-                reference: &self.reference,
-                threads,
-            };
+            let moved = Moved::new(rows, &self.reference, threads);
             return self.blocks.measure_all(&self.halos, moved);
         }
         let [old, new] = &self.frame;
@@ -176,7 +169,7 @@ impl Travel {
     /// What of the halo is spent, as far as was measured, one particle with another [m].
     pub(super) fn spending(&mut self) -> f64 {
         if self.blocks.are_there() {
-            self.blocks.spending(&self.halos, self.wall)
+            self.blocks.want(&self.halos)
         } else {
             self.nearer()
         }

@@ -33,10 +33,15 @@ fn far(world: &World, id: u32, partner: &Partner) -> String {
         return format!("ball {id} or its partner does not exist");
     };
     format!(
-        "{} are no neighbours: the gap between them is {} m, tol is {} m in the mean",
+        "{} are no neighbours: the gap between them is {} m, tol is {} m{}",
         names(world, i, other),
         figure(world.gap(i, other)),
-        figure(world.tol())
+        figure(world.tol()),
+        if world.tol_is_mean() {
+            " in the mean"
+        } else {
+            ""
+        }
     )
 }
 

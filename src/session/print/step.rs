@@ -47,7 +47,18 @@ pub(super) fn lines(world: &World) -> Vec<String> {
         ),
         ("last of them", seen(monitor.last)),
         ("worst of them", seen(monitor.worst)),
-        ("tol", format!("{} m", figure(world.tol()))),
+        (
+            "tol",
+            format!(
+                "{} m{}",
+                figure(world.tol()),
+                if world.tol_is_mean() {
+                    " in the mean"
+                } else {
+                    ""
+                }
+            ),
+        ),
         (
             "neighbour lists made",
             world.contacts().rebuilds.to_string(),
