@@ -100,6 +100,30 @@ fn nothing_at_first_touch() {
     }
 }
 
+/// Cohesion alone holds a contact: its force is seen, and it slides where it is used up.
+#[test]
+fn cohesion_without_friction_is_a_tangential_force() {
+    let mut seen = 0;
+    for law in LAWS.iter().filter(|law| law.reads("cohesion")) {
+        let mut rig = Rig::new(choice(law), 0.0, 5e-3, Damping::default());
+        rig.world
+            .change_materials(|model| model.materials[0].cohesion = 3.0);
+        for _ in 0..100 {
+            rig.step(0.0, 1e-3);
+        }
+        let [_, tangential] = rig.forces();
+        assert!(
+            (tangential.abs() - 3.0).abs() < 1e-12,
+            "{}: {tangential}",
+            law.name
+        );
+        let slides = rig.world.contacts().status[0] == Status::Sliding;
+        assert!(slides && rig.world.reaction(0).sliding, "{}", law.name);
+        seen += 1;
+    }
+    assert!(seen > 1);
+}
+
 #[test]
 fn the_memory_is_what_the_card_says() {
     for law in LAWS {

@@ -268,6 +268,27 @@ fn restitution_comes_out_as_asked() {
 }
 
 #[test]
+fn restitution_holds_against_what_cannot_move_but_may_turn() {
+    for fixed in [[true; 3], [true, true, false]] {
+        let mut setup = scene(of_mass(Body::Disc, 1.0, material(1e4, 1e4, 0.0)));
+        setup.damping.contact = Dashpot::Restitution(0.5);
+        setup.frac = 1e-3;
+        setup.particles = vec![
+            moving(0.0, 0.0, 1.0, [0.01, 0.0], 0.0),
+            particle(2.0 + 1e-6, 0.0, 1.0),
+        ];
+        setup.particles[1].fixed = fixed;
+        let mut world = world(setup);
+        while world.particles().row[0].v[0] > 0.0 || world.contacts().status[0] != Status::Apart {
+            run(&mut world, 1);
+        }
+        // As if it could give way, .60 came out.
+        let ratio = -world.particles().row[0].v[0] / 0.01;
+        assert!((ratio - 0.5).abs() < 2e-3, "{fixed:?}: {ratio}");
+    }
+}
+
+#[test]
 fn a_wall_dashpot_of_its_own() {
     let e = 0.4;
     let mut setup = on_floor(of_mass(Body::Disc, 1.0, material(1e4, 1e4, 0.0)), 1e-4);

@@ -105,6 +105,44 @@ fn a_checkpoint_goes_on_as_if_nothing_had_been() {
     }
 }
 
+/// What is asked for may make the list again at any time, also when only a wall has spent its halo since
+/// somebody looked at the tiles.
+#[test]
+fn a_list_that_is_asked_for_does_not_depend_on_a_checkpoint() {
+    let resting = || {
+        let mut setup = rain(None);
+        setup.gravity = None;
+        setup.walls[1].velocity = [-20.0, 0.0];
+        for disc in &mut setup.particles {
+            disc.velocity = [0.0; 2];
+        }
+        setup
+    };
+    let read = |world: &World, scene: &dyn Fn() -> Setup| {
+        let stored = checkpoint::encode(world).expect("it is stored");
+        let read: World = checkpoint::decode(&stored).expect("it is what was stored");
+        read.reopen(&scene(), 1).expect("it fits")
+    };
+    let list = |world: &mut World| {
+        world.set_wall_friction("floor", 0.25);
+        (world.tol(), world.contacts().pairs.clone())
+    };
+    let mut still = world(resting());
+    let lists = still.contacts().rebuilds;
+    for _ in 0..300 {
+        run(&mut still, 1);
+        list(&mut read(&still, &resting));
+    }
+    assert!(still.contacts().rebuilds > lists + 2);
+    let falling = || rain(None);
+    let mut world = world(falling());
+    for _ in 0..40 {
+        run(&mut world, 13);
+        let mut read = read(&world, &falling);
+        assert_eq!(list(&mut world), list(&mut read));
+    }
+}
+
 #[test]
 fn a_flow_that_sets_in_makes_halos_the_same() {
     let with = |tol: Option<f64>| {

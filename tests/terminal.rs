@@ -235,6 +235,18 @@ fn a_panic_in_the_engine_leaves_a_clean_terminal_and_a_journal() {
 }
 
 #[test]
+fn a_panic_in_a_command_does_so_too() {
+    let mut pty = Pty::start(100, 30, &["disc-pile", "--panic-at", "0", "--paused"]);
+    pty.shows("PAUSED");
+    pty.keys(":friction 0.2\r");
+    assert_eq!(pty.end(), 1);
+    assert!(pty.sent(LEAVES));
+    let screen = pty.screen();
+    assert!(screen.contains("asked to panic here"), "{screen}");
+    assert!(pty.kept("journal").exists());
+}
+
+#[test]
 fn idle_means_idle() {
     let mut pty = Pty::start(120, 40, &["disc-pile", "--paused"]);
     pty.shows("PAUSED");

@@ -3,7 +3,7 @@
 mod common;
 
 use ballast::engine::neighbours::Status;
-use ballast::engine::setup::{Gravity, Material, Setup, TimeStepChoice, WallSetup};
+use ballast::engine::setup::{Damping, Gravity, Material, Setup, TimeStepChoice, WallSetup};
 use ballast::measure::wall_force::WallForce;
 use common::*;
 
@@ -395,4 +395,42 @@ fn eccentricity_counts_from_mid_length() {
     let world = world(setup);
     assert!(WallForce::of(&world, 0).eccentricity.is_nan());
     assert!(WallForce::of(&world, 1).eccentricity.is_nan());
+}
+
+/// A disc that rolling resistance holds on a floor that tilts: the floor bears its weight where it is, and
+/// what lifts or lowers it is the work of the floor.
+#[test]
+fn rolling_resistance_acts_on_walls_and_is_their_work() {
+    let mut setup = discs(0.8);
+    setup.materials[0].rolling_friction = 0.15;
+    setup.gravity = Some(Gravity::Uniform([0.0, -10.0]));
+    setup.damping = Damping {
+        global: 1.0,
+        ..contact_damping(0.2)
+    };
+    setup.particles = vec![particle(0.0, 0.999, 1.0)];
+    setup.walls = vec![wall("floor", [-5.0, 0.0], [5.0, 0.0])];
+    setup.walls[0].about = [0.0, 0.0];
+    setup.time_step = TimeStepChoice::Seconds(1e-3);
+    setup.frac = 1.0;
+    let mut world = world(setup);
+    run(&mut world, 10_000);
+    let before = world.bookings().expect("energies are booked").boundary_work;
+    let height = world.position(0)[1];
+    // To .1: it would roll at .15.
+    world.set_wall_spin(0, -0.002);
+    run(&mut world, 50_000);
+    world.settle();
+    let [x, y] = world.position(0);
+    assert!(x > 0.09 && x < 0.11, "it rolled away: {x}");
+    // A mass of 1, dragged by 1/s times .002 m/s.
+    let on = WallForce::of(&world, 0);
+    assert!((on.moment + 10.0 * x).abs() < 0.01 * 10.0 * x, "{on:?}");
+    let booked = world.bookings().expect("energies are booked");
+    let work = booked.boundary_work - before;
+    // The height, what the rolling spring holds, M²/2k_r with k_r = 3 k (.15)², and α m v² for the drag.
+    let held = (10.0 * x) * (10.0 * x) / (6e4 * 0.15 * 0.15);
+    let due = 10.0 * (y - height) + held + 0.002 * 0.002 * 50.0;
+    assert!((work - due).abs() < 0.005 * due.abs(), "{work} {due}");
+    assert!(booked.energy_error.abs() < 1e-5, "{booked:?}");
 }

@@ -83,7 +83,7 @@ struct Workbench {
     #[arg(long, value_name = "N", value_parser = positive)]
     kbps: Option<f64>,
     /// Cycles per second at first; 0: as many as possible
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = pace)]
     pace: Option<f64>,
     /// Teletype dialogue: no cursor, no colours
     #[arg(long)]
@@ -419,6 +419,12 @@ fn positive(text: &str) -> Result<f64, String> {
         Ok(seconds) if seconds > 0.0 => Ok(seconds.min(LONGEST)),
         _ => Err("a number above 0 is expected".into()),
     }
+}
+
+fn pace(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok();
+    let fits = |pace: &f64| *pace >= 0.0 && pace.is_finite();
+    (number.filter(fits)).ok_or_else(|| "cycles per second are expected, or 0".into())
 }
 
 /// Runs the program.

@@ -5,6 +5,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::extent::Extent;
+use super::keep::only;
 use super::rows::Rows;
 use super::setup::{Body, ParticleSetup};
 
@@ -190,19 +191,19 @@ impl Particles {
         self.body.clear();
     }
 
-    /// Removes the particle at an index; the others keep their numbers.
-    pub fn remove(&mut self, p: usize) {
-        self.id.remove(p);
-        self.row.remove(p);
-        self.mobility.remove(p);
-        self.force.remove(p);
-        self.mass.remove(p);
-        self.inertia.remove(p);
-        self.material.remove(p);
+    /// Removes those that do not stay; the others keep their numbers.
+    pub fn keep_only(&mut self, stays: &[bool]) {
+        only(&mut self.id, stays);
+        self.row.keep_only(stays);
+        only(&mut self.mobility, stays);
+        only(&mut self.force, stays);
+        only(&mut self.mass, stays);
+        only(&mut self.inertia, stays);
+        only(&mut self.material, stays);
         if !self.applied.is_empty() {
-            self.applied.remove(p);
+            only(&mut self.applied, stays);
         }
-        self.fixed.remove(p);
+        only(&mut self.fixed, stays);
         self.body.clear();
     }
 
@@ -231,6 +232,12 @@ impl Particles {
     /// Whether nothing can move the particle at an index.
     pub fn is_driven(&self, p: usize) -> bool {
         self.fixed[p] == [true; 3]
+    }
+
+    /// Whether nothing can move its centre, whatever it may turn.
+    pub fn is_held(&self, p: usize) -> bool {
+        let [x, y, _] = self.fixed[p];
+        x && y
     }
 
     /// Smallest radius [m]; infinite without particles.

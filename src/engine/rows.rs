@@ -4,6 +4,7 @@ use std::ops::{Deref, DerefMut};
 
 use serde::{Deserialize, Serialize, Serializer};
 
+use super::keep::only;
 use super::particles::Row;
 
 /// A row for each particle. As a slice, images left out.
@@ -21,10 +22,10 @@ impl Rows {
         self.all.push(row);
     }
 
-    /// Removes that of a particle; the same of images.
-    pub fn remove(&mut self, p: usize) {
+    /// Removes those of particles that do not stay. There are no images after that.
+    pub fn keep_only(&mut self, stays: &[bool]) {
         self.show(0);
-        self.all.remove(p);
+        only(&mut self.all, stays);
     }
 
     /// Makes room for so many more particles.
@@ -131,7 +132,7 @@ mod tests {
         rows.push(row(3.0));
         assert_eq!(rows.seen().len(), 3);
         rows.show(1);
-        rows.remove(0);
+        rows.keep_only(&[false, true, true]);
         let left: Vec<f64> = rows.iter().map(|row| row.x[0]).collect();
         assert_eq!((left, rows.seen().len()), (vec![2.0, 3.0], 2));
     }

@@ -172,102 +172,6 @@ impl World {
         self.isa = isa;
     }
 
-    /// Vector instructions in use.
-    pub fn instructions(&self) -> Isa {
-        self.isa
-    }
-
-    /// Cycles done.
-    pub fn cycle_number(&self) -> u64 {
-        self.cycle
-    }
-
-    /// Why no cycle can be done, if so.
-    pub fn fault(&self) -> Option<&Fault> {
-        self.broken.as_ref().or(self.misplaced.as_ref())
-    }
-
-    /// Whether the last cycle broke off: forces, positions and bookings no longer belong together, and
-    /// nothing but another state can go on.
-    pub fn is_broken(&self) -> bool {
-        self.broken.is_some()
-    }
-
-    /// Simulated time [s].
-    pub fn time(&self) -> f64 {
-        self.since.0 + (self.cycle - self.since.1) as f64 * self.dt
-    }
-
-    /// Time step [s].
-    pub fn dt(&self) -> f64 {
-        self.dt
-    }
-
-    /// The step that FRAC multiplies [s].
-    pub fn base_step(&self) -> f64 {
-        self.base_step
-    }
-
-    /// Materials, law, damping and so on as they are now.
-    pub fn model(&self) -> &Setup {
-        &self.model
-    }
-
-    /// Parameters of all pairs of materials.
-    pub fn pair_table(&self) -> &PairTable {
-        &self.pairs
-    }
-
-    /// Particles; positions are relative to [`World::origin`].
-    pub fn particles(&self) -> &Particles {
-        &self.particles
-    }
-
-    /// Walls; positions are relative to [`World::origin`].
-    pub fn walls(&self) -> &[Wall] {
-        &self.walls
-    }
-
-    /// Contacts.
-    pub fn contacts(&self) -> &ContactList {
-        &self.contacts
-    }
-
-    /// Whether the forces of this boundary are summed: velocities stand at half steps without.
-    pub fn is_settled(&self) -> bool {
-        self.settled
-    }
-
-    /// The energy ledger, if energies are booked.
-    pub fn ledger(&self) -> Option<&Ledger> {
-        self.ledger.as_ref()
-    }
-
-    /// Added to inner coordinates gives those of the preset [m].
-    pub fn origin(&self) -> [f64; 2] {
-        self.origin
-    }
-
-    /// What the FRACC monitor saw.
-    pub fn fracc_monitor(&self) -> &FraccMonitor {
-        &self.fracc
-    }
-
-    /// Halo within which pairs are listed, or [the mean](Self::tol_is_mean) of it [m].
-    pub fn tol(&self) -> f64 {
-        self.tol
-    }
-
-    /// Whether the halo differs from place to place.
-    pub fn tol_is_mean(&self) -> bool {
-        self.contacts.has_halos()
-    }
-
-    /// Number of threads.
-    pub fn threads(&self) -> usize {
-        self.threads.count()
-    }
-
     /// The contact pass.
     ///
     /// # Panics
@@ -349,14 +253,14 @@ impl World {
     /// What contact k is prepared from.
     pub(super) fn basis(&self, k: usize) -> BasisOwned {
         let p = &self.particles;
-        let inverse = |q: usize| if p.is_driven(q) { 0.0 } else { 1.0 / p.mass[q] };
+        let inverse = |q: usize| if p.is_held(q) { 0.0 } else { 1.0 / p.mass[q] };
         if let Some(&[i, j]) = self.contacts.pairs.get(k) {
             let (i, j) = (i as usize, j as usize);
             let pair = *self
                 .pairs
                 .get(p.material[i] as usize, p.material[j] as usize, false);
             let sum = inverse(i) + inverse(j);
-            // Two driven particles: any finite mass will do, nothing answers their force.
+            // Two that are held: any finite mass will do, nothing answers their force.
             let [a, b] = [p.row[i].radius, p.row[j].radius];
             return BasisOwned {
                 pair,

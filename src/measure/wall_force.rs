@@ -27,11 +27,11 @@ impl WallForce {
             if pair.wall as usize != w {
                 continue;
             }
-            let Slot([fx, fy, ..]) = list.slots[list.pairs.len() + k];
+            let Slot([fx, fy, _, rolling]) = list.slots[list.pairs.len() + k];
             let at = list.touches[k].at;
             force[0] -= fx;
             force[1] -= fy;
-            moment -= (at[0] - wall.about[0]) * fy - (at[1] - wall.about[1]) * fx;
+            moment -= (at[0] - wall.about[0]) * fy - (at[1] - wall.about[1]) * fx - rolling;
             let along = (at[0] - wall.point[0]) * wall.direction[0]
                 + (at[1] - wall.point[1]) * wall.direction[1];
             let share = fx * wall.direction[1] - fy * wall.direction[0];

@@ -50,7 +50,8 @@ const KEYS: &[Key] = &[
         ..vector(
             "fixed",
             "-",
-            "velocity components that are prescribed: they keep their given value",
+            "velocity components that are prescribed: they keep their given value; dashpots \
+             take a particle for immovable if both x and y are",
         )
     },
 ];

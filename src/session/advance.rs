@@ -91,10 +91,7 @@ impl Session {
         if let Some(follower) = &mut self.follower {
             follower.take(&self.world);
         }
-        assert!(
-            self.panic_at != Some(self.world.cycle_number()),
-            "asked to panic here"
-        );
+        self.panic_if_asked();
         self.notice_ends()?;
         let cycle = self.world.cycle_number();
         if cycle.is_multiple_of(self.recording.every) {

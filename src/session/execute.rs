@@ -81,6 +81,7 @@ impl Session {
         let line = command.to_string();
         self.known().check(command, &line)?;
         self.check_whole(command)?;
+        self.panic_if_asked();
         let reply = self.carry_out(command, by)?;
         let told = match command {
             // Tells itself, at the cycle that it left.

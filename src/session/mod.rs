@@ -18,6 +18,7 @@ pub mod inspect;
 mod kept;
 pub mod lammps;
 mod opening;
+mod pacing;
 pub(crate) mod pictures;
 mod print;
 mod queue;
@@ -195,9 +196,14 @@ impl Session {
         }
     }
 
-    /// For tests of what happens then: panics when this cycle is reached.
+    /// For tests of what happens then: panics when this cycle is reached, or at a command there.
     pub fn panic_at(&mut self, cycle: Option<u64>) {
         self.panic_at = cycle;
+    }
+
+    fn panic_if_asked(&self) {
+        let asked = self.panic_at == Some(self.world.cycle_number());
+        assert!(!asked, "asked to panic here");
     }
 
     fn note(&mut self, kind: EventKind) -> Result<(), RunError> {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::mpsc::{self, Receiver, RecvTimeoutError, SendError, Sender, TryRecvError};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError, SendError, Sender};
 use std::time::Duration;
 
 /// Something that can be asked for.
@@ -60,11 +60,6 @@ impl<T: Urgent> Giver<T> {
 }
 
 impl<T: Urgent> Taker<T> {
-    /// The next order, if there is one.
-    pub(super) fn try_recv(&self) -> Result<T, TryRecvError> {
-        self.orders.try_recv().inspect(|order| self.taken(order))
-    }
-
     /// The next order within this time.
     pub(super) fn recv_timeout(&self, patience: Duration) -> Result<T, RecvTimeoutError> {
         let order = self.orders.recv_timeout(patience);
@@ -100,10 +95,14 @@ mod tests {
         assert!(!waiting.any());
         giver.send(true).unwrap();
         giver.send(true).unwrap();
-        let taken = || taker.try_recv().map(|order| (order, waiting.any()));
+        let taken = || {
+            taker
+                .recv_timeout(Duration::ZERO)
+                .map(|order| (order, waiting.any()))
+        };
         assert_eq!(taken(), Ok((false, true)));
         assert_eq!(taken(), Ok((true, true)));
         assert_eq!(taken(), Ok((true, false)));
-        assert_eq!(taken(), Err(TryRecvError::Empty));
+        assert_eq!(taken(), Err(RecvTimeoutError::Timeout));
     }
 }

@@ -12,6 +12,7 @@ use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use super::frames::{Frame, Shown, Wants};
+use super::pacing::Pacing;
 use super::queue::{Giver, Taker, Urgent, Waiting, channel};
 use super::rate::Rate;
 use super::save_clock::SaveClock;
@@ -117,7 +118,7 @@ impl Worker {
             running,
             free: false,
             changed: true,
-            pace,
+            pacing: Pacing::new(pace, Instant::now()),
             wants: Wants::default(),
             shown: Shown::default(),
             rate: Rate::default(),
@@ -186,7 +187,7 @@ struct Desk {
     free: bool,
     /// Whether there is something new to show.
     changed: bool,
-    pace: Option<f64>,
+    pacing: Pacing,
     wants: Wants,
     shown: Shown,
     rate: Rate,
@@ -200,40 +201,44 @@ struct Desk {
 impl Desk {
     fn work(mut self) -> Box<Session> {
         loop {
-            if !self.take_orders() {
-                self.close();
-                return self.session;
-            }
-            let run = std::panic::AssertUnwindSafe(|| {
-                if self.running {
-                    self.run_batch();
+            // Orders, too, may come upon a fault of the program.
+            let turn = std::panic::AssertUnwindSafe(|| self.turn());
+            match std::panic::catch_unwind(turn) {
+                Ok(true) => {}
+                Ok(false) => return self.session,
+                Err(panic) => {
+                    self.fall(panic.as_ref());
+                    return self.session;
                 }
-                self.post();
-            });
-            if let Err(panic) = std::panic::catch_unwind(run) {
-                self.fall(panic.as_ref());
-                return self.session;
             }
         }
+    }
+
+    /// Orders, a batch and a frame. False: that was the last one.
+    fn turn(&mut self) -> bool {
+        if !self.take_orders() {
+            self.close();
+            return false;
+        }
+        if self.running && self.pacing.wait(Instant::now()).is_zero() {
+            self.run_batch();
+        }
+        self.post();
+        true
     }
 
     /// Carries out what has been ordered; waits when there is nothing else to do. False: stop.
     fn take_orders(&mut self) -> bool {
         loop {
-            let order = if self.running {
-                match self.inbox.try_recv() {
-                    Ok(order) => order,
-                    Err(mpsc::TryRecvError::Empty) => return true,
-                    Err(mpsc::TryRecvError::Disconnected) => return false,
-                }
-            } else {
-                // A frame that found the mailbox full goes out as soon as it is empty.
-                let patience = Duration::from_millis(if self.changed { 20 } else { 1000 });
-                match self.inbox.recv_timeout(patience) {
-                    Ok(order) => order,
-                    Err(RecvTimeoutError::Timeout) => return true,
-                    Err(RecvTimeoutError::Disconnected) => return false,
-                }
+            // A frame that found the mailbox full goes out as soon as it is empty.
+            let mut patience = Duration::from_millis(if self.changed { 20 } else { 1000 });
+            if self.running {
+                patience = patience.min(self.pacing.wait(Instant::now()));
+            }
+            let order = match self.inbox.recv_timeout(patience) {
+                Ok(order) => order,
+                Err(RecvTimeoutError::Timeout) => return true,
+                Err(RecvTimeoutError::Disconnected) => return false,
             };
             if order.is_urgent() {
                 self.turns.await_answer();
@@ -259,7 +264,7 @@ impl Desk {
             Order::Follow(i, partner) => self.session.follow(i, &partner),
             Order::Wants(wants) => self.wants = wants,
             Order::Pace(pace) => {
-                self.pace = pace;
+                self.pacing = Pacing::new(pace, Instant::now());
                 self.tell(Report::Pace(pace));
             }
             Order::Replace(session, pace, keep) => {
@@ -269,7 +274,7 @@ impl Desk {
                 self.session = attentive(session, self.inbox.waiting());
                 self.shown = Shown::default();
                 self.rate = Rate::default();
-                self.pace = pace;
+                self.pacing = Pacing::new(pace, Instant::now());
                 self.free = false;
                 self.saved_cycle = None;
                 self.begin_journal();
@@ -301,9 +306,8 @@ impl Desk {
     fn run_batch(&mut self) {
         let before = self.session.world().cycle_number();
         // A slow pace runs a few cycles and waits; a fast one is cut into batches.
-        let paced = self.pace.map(|pace| (pace * 0.02).max(1.0).round() as u64);
-        let until_cycle = match paced {
-            Some(cycles) => Some(before + cycles),
+        let until_cycle = match self.pacing.cycles() {
+            Some(cycles) => Some(before.saturating_add(cycles)),
             None => self.free.then_some(u64::MAX),
         };
         let start = Instant::now();
@@ -324,14 +328,8 @@ impl Desk {
         }
         self.tell_notices();
         self.changed = true;
-        if let Some(pace) = self.pace {
-            let done = self.session.world().cycle_number() - before;
-            let due = Duration::from_secs_f64(done as f64 / pace);
-            std::thread::sleep(
-                due.saturating_sub(start.elapsed())
-                    .min(Duration::from_millis(40)),
-            );
-        }
+        let done = self.session.world().cycle_number() - before;
+        self.pacing.made(done, start);
         self.batch = start.elapsed();
         let now = Instant::now();
         if self.clock.is_due(now) {

@@ -163,6 +163,30 @@ fn a_loaded_ring_hands_its_stress_on() {
     }
 }
 
+/// The load grows evenly over its cycles, whenever it is asked for, and from one that is still growing.
+#[test]
+fn a_load_is_reached_over_its_cycles() {
+    for start in [0, 100] {
+        let mut world = World::build(round_piece(14.0, 0.01), 1).unwrap();
+        let advance = |world: &mut World, cycles: u64| {
+            for _ in 0..cycles {
+                world.cycle().expect("the scene is sound");
+            }
+            world.boundary().unwrap().ring().unwrap().stress()
+        };
+        let stress = |s: f64| Some([[s, 0.0], [0.0, 0.5 * s]]);
+        advance(&mut world, start);
+        assert!(world.load_boundary([[1e4, 0.0], [0.0, 5e3]], 200));
+        assert_eq!(advance(&mut world, 0), stress(0.0));
+        assert_eq!(advance(&mut world, 1), stress(50.0));
+        assert_eq!(advance(&mut world, 99), stress(5e3));
+        assert!(world.load_boundary([[2e3, 0.0], [0.0, 1e3]], 10));
+        assert_eq!(advance(&mut world, 0), stress(5e3));
+        assert_eq!(advance(&mut world, 5), stress(3.5e3));
+        assert_eq!(advance(&mut world, 50), stress(2e3));
+    }
+}
+
 #[test]
 fn another_boundary_lets_the_ring_go() {
     let mut world = World::build(round_piece(14.0, 0.01), 1).unwrap();

@@ -120,10 +120,8 @@ impl Ring {
     /// The stress for the boundary at this cycle [Pa].
     pub(super) fn stress_at(&mut self, cycle: u64) -> Option<Tensor> {
         let load = self.load.as_mut()?;
-        if let Some(ramp) = &load.ramp
-            && cycle > 0
-        {
-            let (stress, arrived) = ramp.at(cycle - 1);
+        if let Some(ramp) = &load.ramp {
+            let (stress, arrived) = ramp.at(cycle);
             load.stress = stress;
             if arrived {
                 load.ramp = None;

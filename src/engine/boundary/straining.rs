@@ -39,10 +39,10 @@ impl Ramp {
         }
     }
 
-    /// The value for the cycle after `cycle`: the first of N makes the N-th part of the way, the
-    /// N-th arrives.
+    /// The value at a cycle, and whether it stays: the first cycle after the start makes the N-th part
+    /// of the way, the N-th arrives.
     pub(super) fn at(&self, cycle: u64) -> (Tensor, bool) {
-        let done = (cycle - self.start).saturating_add(1);
+        let done = cycle.saturating_sub(self.start);
         if done >= self.over {
             return (self.to, true);
         }
@@ -109,7 +109,7 @@ impl Straining {
     /// Takes the step of `dt` [s] that follows `cycle`.
     pub(super) fn advance(&mut self, cycle: u64, dt: f64) {
         if let Some(ramp) = &self.ramp {
-            let (rate, arrived) = ramp.at(cycle);
+            let (rate, arrived) = ramp.at(cycle + 1);
             self.rate = rate;
             if arrived {
                 self.ramp = None;

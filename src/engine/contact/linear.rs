@@ -332,6 +332,6 @@ impl Tangential for LinearShear {
     }
 
     fn is_frictional(&self) -> bool {
-        self.friction > 0.0 && self.k > 0.0
+        (self.friction > 0.0 || self.cohesion > 0.0) && self.k > 0.0
     }
 }

@@ -128,9 +128,9 @@ impl World {
             let mut work = 0.0;
             for (k, pair) in self.contacts.walls.iter().enumerate() {
                 if pair.wall as usize == w {
-                    let Slot([fx, fy, ..]) = self.contacts.slots[first + k];
+                    let Slot([fx, fy, _, rolling]) = self.contacts.slots[first + k];
                     let v = wall.velocity_at(self.contacts.touches[k].at);
-                    work += 0.5 * self.dt * (fx * v[0] + fy * v[1]);
+                    work += 0.5 * self.dt * (fx * v[0] + fy * v[1] - rolling * wall.spin);
                 }
             }
             ledger.walls[w] += work;

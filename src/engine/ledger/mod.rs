@@ -12,6 +12,7 @@ mod booking;
 use serde::{Deserialize, Serialize};
 
 use super::World;
+use super::keep::only;
 use super::neighbours::Status;
 use super::setup::Gravity;
 
@@ -217,11 +218,15 @@ impl World {
         }
     }
 
-    /// Closes the account of a particle that is deleted.
-    pub(in crate::engine) fn close_account(&mut self, p: usize) {
+    /// Closes the accounts of particles that do not stay.
+    pub(in crate::engine) fn close_accounts(&mut self, stays: &[bool]) {
         if let Some(ledger) = &mut self.ledger {
-            let account = ledger.accounts.remove(p);
-            ledger.closed.add(&account);
+            for (account, stays) in ledger.accounts.iter().zip(stays) {
+                if !stays {
+                    ledger.closed.add(account);
+                }
+            }
+            only(&mut ledger.accounts, stays);
         }
     }
 

@@ -16,6 +16,7 @@ use super::travel::Travel;
 use super::whose::Whose;
 use super::{Slot, Status, room};
 use crate::engine::boundary::cell::Cell;
+use crate::engine::keep::only;
 use crate::engine::lanes::Isa;
 use crate::engine::particles::{Particles, Row};
 use crate::engine::threads::Threads;
@@ -269,21 +270,30 @@ impl ContactList {
         }
     }
 
-    /// Drops the contacts of particle p and renumbers those above it, as the particle is removed.
-    /// Answers which contacts are left, by their old numbers; the list must be made anew.
-    pub fn forget(&mut self, p: usize) -> Vec<u32> {
-        let p = p as u32;
-        let left = self.retain(|pair| !pair.contains(&p), |wall| wall.particle != p);
-        let above = |q: &mut u32| *q -= u32::from(*q > p);
-        self.pairs.iter_mut().flatten().for_each(above);
-        self.walls
-            .iter_mut()
-            .for_each(|wall| above(&mut wall.particle));
+    /// Drops the contacts of particles that do not stay and renumbers the others. Answers which
+    /// contacts are left, by their old numbers; the list must be made anew.
+    pub(in crate::engine) fn keep_only(&mut self, stays: &[bool]) -> Vec<u32> {
+        let stay = |p: u32| stays[p as usize];
+        let left = self.retain(
+            |&[i, j]| stay(i) && stay(j),
+            |wall: &WallPair| stay(wall.particle),
+        );
+        let mut next = 0;
+        let number = |stays: &bool| {
+            let number = next;
+            next += u32::from(*stays);
+            number
+        };
+        let numbers: Vec<u32> = stays.iter().map(number).collect();
+        let renumber = |p: &mut u32| *p = numbers[*p as usize];
+        self.pairs.iter_mut().flatten().for_each(renumber);
+        let walls = self.walls.iter_mut();
+        walls.for_each(|wall| renumber(&mut wall.particle));
         left
     }
 
     /// The same for a wall.
-    pub fn forget_wall(&mut self, w: usize) -> Vec<u32> {
+    pub(in crate::engine) fn forget_wall(&mut self, w: usize) -> Vec<u32> {
         let w = w as u32;
         let left = self.retain(|_| true, |wall| wall.wall != w);
         self.walls
@@ -304,13 +314,14 @@ impl ContactList {
             .chain(self.walls.iter().map(wall))
             .collect();
         let walls = &keep[self.pairs.len()..];
-        self.touches = chosen(&self.touches, walls);
-        self.walls = chosen(&self.walls, walls);
+        only(&mut self.touches, walls);
+        only(&mut self.walls, walls);
         self.images = self.images.chosen(&keep[..self.pairs.len()]);
-        self.pairs = chosen(&self.pairs, &keep[..self.pairs.len()]);
-        self.slots = chosen(&self.slots, &keep);
+        only(&mut self.pairs, &keep);
+        // That of nobody is beyond the end.
+        only(&mut self.slots, &keep);
         self.slots.push(Slot::default());
-        self.status = chosen(&self.status, &keep);
+        only(&mut self.status, &keep);
         (0..keep.len() as u32)
             .filter(|&k| keep[k as usize])
             .collect()
@@ -341,15 +352,6 @@ impl ContactList {
         }
         [contact, particle]
     }
-}
-
-fn chosen<T: Copy>(items: &[T], keep: &[bool]) -> Vec<T> {
-    items
-        .iter()
-        .zip(keep)
-        .filter(|(_, keep)| **keep)
-        .map(|(item, _)| *item)
-        .collect()
 }
 
 #[cfg(test)]

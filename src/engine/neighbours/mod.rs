@@ -32,7 +32,7 @@ pub fn room(particles: usize) -> [usize; 2] {
 }
 
 /// Force on the first body of a contact: f1, f2 [N], tangential force times lever arm over radius
-/// [N], moment of rolling resistance [N m].
+/// [N]; and the moment of rolling resistance on the second [N m].
 #[repr(C, align(32))]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Slot(pub [f64; 4]);

@@ -48,6 +48,9 @@ pub(in crate::engine) struct Blocks {
     members: Vec<Member>,
     #[serde(skip)]
     tiles: Tiles,
+    /// Whether the tiles know of all ways.
+    #[serde(skip)]
+    looked: bool,
     /// Blocks that are to be looked at: a buffer.
     #[serde(skip)]
     doubtful: Vec<bool>,
@@ -108,7 +111,15 @@ impl Blocks {
     /// A list with these halos is done with: the next one is made with what was seen of it. Walls have gone
     /// so far [m].
     pub(super) fn learn(&mut self, halos: &Halos, wall: f64) {
-        if !self.are_there() || !self.is_spent(halos, wall) {
+        if !self.are_there() {
+            return;
+        }
+        // Ways may have grown since, or come from a checkpoint: what is learnt must not depend on when
+        // somebody looked.
+        if !self.looked {
+            self.look(halos);
+        }
+        if !self.is_spent(halos, wall) {
             return;
         }
         let (spent, [least, most]) = (self.want(halos) / halos.mean(), LEAST);
@@ -164,6 +175,7 @@ impl Blocks {
 
     /// The boxes, for whoever moves particles and makes them [go on](go_on).
     pub(in crate::engine) fn take(&mut self) -> Vec<Extent> {
+        self.looked = false;
         std::mem::take(&mut self.ways)
     }
 
@@ -233,6 +245,7 @@ impl Blocks {
     }
 
     fn look(&mut self, halos: &Halos) {
+        self.looked = true;
         self.tiles.look(halos, &self.ways, &self.members);
     }
 }

@@ -69,13 +69,13 @@ impl Listed {
     }
 
     /// Whether any two came nearer to each other by more than the halo of one of them: then they may
-    /// not be listed. Looked for far around.
+    /// not be listed. Looked for in two rows around.
     fn is_broken(&self) -> bool {
         let way = |p: usize| [0, 1].map(|k| self.rows[p].x[k] - self.centres[p][k]);
         let halo = |p: usize| self.halos.of(self.halos.tile(self.centres[p]));
-        let few = (0..self.rows.len()).step_by(7);
-        few.clone().any(|p| {
-            few.clone().any(|q| {
+        let all = self.rows.len();
+        (0..all).any(|p| {
+            (p + 1..all.min(p + 2 * COLUMNS + 3)).any(|q| {
                 let (a, b) = (way(p), way(q));
                 let far = [0, 1].map(|k| self.centres[p][k] - self.centres[q][k]);
                 libm::hypot(far[0], far[1]) < 5.0
