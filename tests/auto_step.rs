@@ -61,8 +61,8 @@ fn the_step_keeps_to_its_share_of_the_bound() {
             most = most.max(world.dt() / world.stable_step());
             least = least.min(world.dt());
         }
-        // Between two looks, twenty cycles apart, the bound falls on.
-        assert!(most < 1.1 * share, "{share}: {most}");
+        // What comes until the next look is foreseen.
+        assert!(most < 1.01 * share, "{share}: {most}");
         assert!(most > 0.95 * share, "{share}: {most}");
         assert!(
             least < 0.8 * first,
@@ -92,9 +92,17 @@ fn the_load_gone_the_step_grows_again() {
 
 #[test]
 fn changes_of_the_step_are_no_work() {
+    // Energy is known to (ω dt)²/4, the square of the share; the step changes by a few hundredths of itself.
+    for share in [0.1, 0.05, 0.025] {
+        let world = fly(shot(Some(share), 0.1));
+        let b = world.bookings().expect("booked");
+        assert!(
+            b.energy_error.abs() < 0.04 * share * share,
+            "{share}: {}",
+            b.energy_error
+        );
+    }
     let mut world = fly(shot(Some(0.05), 0.1));
-    let b = world.bookings().expect("booked");
-    assert!(b.energy_error.abs() < 1e-5, "{}", b.energy_error);
     // A fixed step comes to the same end.
     let mut fixed = fly(shot(None, 0.02));
     world.settle();
@@ -130,4 +138,96 @@ fn a_fixed_step_can_be_had_back() {
     world.set_frac_auto(Some(0.3));
     run(&mut world, 500);
     assert_ne!(world.dt(), dt);
+}
+
+/// Energy at its most, and at the end, over that at the start, of a scene that nobody does work on.
+fn gains(setup: Setup, cycles: u64) -> [f64; 2] {
+    let mut world = world(setup);
+    let energy = |world: &mut World| {
+        world.settle();
+        let e = world.energies();
+        e.kinetic + e.rotational + e.elastic_normal + e.elastic_tangential
+    };
+    let start = energy(&mut world);
+    let mut most = 0.0f64;
+    for _ in 0..cycles {
+        run(&mut world, 1);
+        most = most.max(energy(&mut world));
+    }
+    [most, energy(&mut world)].map(|energy| energy / start)
+}
+
+/// Contacts that begin between two looks, with dashpots up to twenty times critical, against each other
+/// and a wall.
+#[test]
+fn dashpots_of_contacts_to_come_are_seen() {
+    for (law, body) in [
+        (LawChoice::linear(), Body::Disc),
+        (LawChoice::linear(), Body::Sphere),
+        (law("hertz-mindlin"), Body::Sphere),
+        (LawChoice::exact(), Body::Sphere),
+    ] {
+        for fraction in [0.1, 0.5, 1.0, 2.0, 5.0, 20.0] {
+            for at_wall in [false, true] {
+                let mut setup = shot(Some(0.5), 0.1);
+                (setup.law, setup.body) = (law, body);
+                setup.materials = vec![Material {
+                    young: Some(5e9),
+                    poisson: Some(0.25),
+                    density: 2500.0,
+                    ..material(1e7, 8e6, 0.3)
+                }];
+                setup.damping = contact_damping(fraction);
+                if law == LawChoice::linear() {
+                    setup.time_step = TimeStepChoice::Critical;
+                }
+                setup.particles = vec![moving(0.0, 0.0, 0.01, [1.0, 0.2], 0.0)];
+                setup.walls.clear();
+                if at_wall {
+                    setup.walls = vec![wall("right", [0.0103, -1.0], [0.0103, 1.0])];
+                } else {
+                    let other = moving(0.0203, 0.0, 0.01, [-1.0, -0.2], 0.0);
+                    setup.particles.push(other);
+                }
+                let [most, end] = gains(setup, 400);
+                let case = format!("{} {body:?} {fraction} {at_wall}", law.card().name);
+                // Within a contact of some ten steps energy is known to a third.
+                assert!(
+                    most < 1.35 && end < 1.0 - 0.9 * 2.0 * fraction.min(0.2),
+                    "{case}: {most} {end}"
+                );
+            }
+        }
+    }
+}
+
+/// A small sphere between a wall and one up to fifty times as large that comes.
+#[test]
+fn what_is_pinched_stays_stable() {
+    for (young, speed, large) in [
+        (5e8, 0.1, 0.01),
+        (5e8, 3.4, 0.01),
+        (5e9, 1.0, 0.01),
+        (7e10, 0.1, 0.03),
+        (7e10, 0.1, 0.1),
+    ] {
+        let small = 0.002;
+        let mut setup = shot(Some(0.5), 0.1);
+        setup.law = law("hertz-mindlin");
+        setup.materials = vec![Material {
+            young: Some(young),
+            poisson: Some(0.25),
+            density: 2500.0,
+            ..material(1.0, 1.0, 0.0)
+        }];
+        setup.particles = vec![
+            moving(0.0, 2.0 * small + large + 1e-5, large, [0.0, -speed], 0.0),
+            particle(0.0, small + 1e-6, small),
+        ];
+        let [most, end] = gains(setup, 1500);
+        assert!(
+            most < 1.1 && (end - 1.0).abs() < 2e-3,
+            "{young:e} {speed} {large}: {most} {end}"
+        );
+    }
 }

@@ -4,7 +4,7 @@
 //! [`World::particles_at_rest`], [`World::walls_at_rest`] and [`World::reopen`], and nowhere else.
 
 use super::World;
-use super::auto_step::StepChanges;
+use super::auto_step::{Looks, StepChanges};
 use super::boundary::Boundary;
 use super::fault::Fault;
 use super::ledger::Ledger;
@@ -108,6 +108,7 @@ impl World {
         self.since = (0.0, 0);
         self.fracc = FraccMonitor::default();
         self.step_changes = StepChanges::default();
+        self.looks = Looks::default();
         if let Some(boundary) = &mut self.boundary {
             boundary.restart();
         }

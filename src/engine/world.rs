@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::auto_step::StepChanges;
+use super::auto_step::{Looks, StepChanges};
 use super::boundary::seen::Seen;
 use super::boundary::{Boundary, Straining};
 use super::contact::pass::ContactPass;
@@ -49,6 +49,7 @@ pub struct World {
     pub(super) settled: bool,
     pub(super) fracc: FraccMonitor,
     pub(super) step_changes: StepChanges,
+    pub(super) looks: Looks,
     pub(super) tol: f64,
     /// Overlap above which a contact is damped critically [m].
     pub(super) critical_above: f64,
@@ -138,6 +139,7 @@ impl World {
             settled: false,
             fracc: FraccMonitor::default(),
             step_changes: StepChanges::default(),
+            looks: Looks::default(),
             tol: if tol.is_finite() { tol } else { 1.0 },
             critical_above: f64::INFINITY,
             size,
@@ -159,6 +161,7 @@ impl World {
             return Err(Fault::NoStep { cycle, dt });
         }
         world.touch(0.0)?;
+        world.begin_step();
         world.open_ledger();
         Ok(world)
     }

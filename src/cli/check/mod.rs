@@ -99,7 +99,14 @@ fn step(report: &mut Report, world: &World) {
         TimeStepChoice::Critical => format!("of the critical step 2 sqrt(m/k) = {base} s"),
         TimeStepChoice::Seconds(_) => format!("of the given {base} s"),
     };
-    let (dt, frac) = (figure(world.dt()), figure(model.frac));
+    let (dt, frac) = (figure(world.dt()), figure(world.frac()));
+    if let Some(share) = model.frac_auto {
+        let share = figure(share);
+        let text = format!(
+            "dt = {dt} s at first, frac = {frac} {of}: it follows {share} of the stability bound"
+        );
+        return report.line("time step", text);
+    }
     let text = match model.time_step {
         TimeStepChoice::Seconds(_) if model.frac == 1.0 => format!("dt = {dt} s as given"),
         _ => format!("dt = {dt} s, frac = {frac} {of}"),

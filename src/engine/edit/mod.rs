@@ -110,6 +110,7 @@ impl World {
             // The change is none of the FRACC monitor's business: no comparison with old sums.
             world.pass_over_particles(motion::settle);
             world.settled = true;
+            world.fit_step();
         });
     }
 
