@@ -2,8 +2,8 @@
 
 mod common;
 
+use ballast::engine::Isa;
 use ballast::engine::World;
-use ballast::engine::lanes::Isa;
 use ballast::engine::neighbours::Slot;
 use ballast::engine::setup::{ParticleSetup, Setup};
 use common::*;

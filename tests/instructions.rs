@@ -3,9 +3,9 @@
 
 mod common;
 
+use ballast::engine::Isa;
 use ballast::engine::World;
 use ballast::engine::contact::laws::LAWS;
-use ballast::engine::lanes::Isa;
 use ballast::engine::neighbours::Status;
 use ballast::engine::setup::{
     Body, BoundarySetup, Damping, Dashpot, Material, NormalForm, Setup, TimeStepChoice, Unloading,

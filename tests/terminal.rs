@@ -10,7 +10,7 @@ mod pty;
 use std::process::Command;
 use std::time::Duration;
 
-use ballast::engine::lanes::Isa;
+use ballast::engine::Isa;
 use pty::{LEAVES, Pty};
 use rustix::process::Signal;
 

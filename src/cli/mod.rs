@@ -25,7 +25,7 @@ mod workbench;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use crate::engine::lanes::Isa;
+use crate::engine::Isa;
 use crate::language::command::PictureOf;
 use crate::scene::Seeds;
 use crate::session::Place;

@@ -7,6 +7,9 @@ use super::neighbours::Slot;
 /// Further than so many sizes of the scene from its middle, a particle is lost.
 const LOST: f64 = 1e4;
 
+/// So many cells away it is, too: images are counted in sixteen bits, those of either of a pair.
+const CELLS: f64 = 16_000.0;
+
 impl World {
     /// The particle that moved too far, or not by a number, if one did.
     pub(super) fn wild_particle(&self) -> Option<Fault> {
@@ -46,6 +49,7 @@ impl World {
     }
 
     pub(super) fn lost_particle(&self) -> Result<(), Fault> {
+        let mut limit = LOST * (self.size + self.origin_size());
         if let Some(cell) = self.cell() {
             let [a, b] = cell.widths();
             let width = a.min(b);
@@ -55,10 +59,11 @@ impl World {
                 let cycle = self.cycle;
                 return Err(Fault::Narrow { cycle, width });
             }
+            limit = limit.min(CELLS * width);
         }
         for (row, &particle) in self.particles.row.iter().zip(&self.particles.id) {
             let distance = row.x[0].abs().max(row.x[1].abs());
-            if distance > LOST * (self.size + self.origin_size()) {
+            if distance > limit {
                 return Err(Fault::Lost {
                     cycle: self.cycle,
                     particle,

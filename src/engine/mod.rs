@@ -15,7 +15,7 @@ pub mod fault;
 mod growth;
 pub mod hash;
 mod keep;
-pub mod lanes;
+mod lanes;
 pub mod ledger;
 mod lost;
 pub mod motion;
@@ -40,4 +40,5 @@ pub mod wall_contact;
 pub mod world;
 
 pub use fault::Fault;
+pub use lanes::Isa;
 pub use world::World;

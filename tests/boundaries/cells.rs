@@ -271,3 +271,21 @@ fn a_cell_cannot_be_narrower_than_a_particle() {
         "{fault:?}"
     );
 }
+
+/// Who goes through cell after cell is lost before the count of the cells is.
+#[test]
+fn a_particle_is_lost_before_its_images_are() {
+    let setup = || packed([D, 0.0], [0.0, D], [1, 1], 0.0);
+    let dt = built(setup()).dt();
+    let mut fast = setup();
+    for particle in &mut fast.particles {
+        particle.velocity = [0.3 * particle.radius / dt, 0.0];
+    }
+    let mut world = built(fast);
+    let fault = (0..200_000).find_map(|_| world.cycle().err());
+    let Some(ballast::engine::Fault::Lost { distance, .. }) = fault else {
+        panic!("{fault:?}");
+    };
+    let cells = distance / D;
+    assert!((15_000.0..17_000.0).contains(&cells), "{cells}");
+}

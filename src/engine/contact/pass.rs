@@ -10,7 +10,7 @@
 use std::any::Any;
 use std::ops::Range;
 
-pub use super::book::Book;
+pub(crate) use super::book::Book;
 use super::book::LOSSES;
 use super::columns::{MOST, Parameters};
 use super::inner::Inner;
@@ -120,7 +120,7 @@ pub trait ContactPass: Send + Sync {
 }
 
 /// One law over the list. `BOOK`: energies are booked.
-pub struct Pass<L: Law, const BOOK: bool> {
+pub(crate) struct Pass<L: Law, const BOOK: bool> {
     /// Parameters of pairs, and of contacts with walls.
     laws: [Parameters<L>; 2],
     memory: Memories<L::Memo>,
@@ -153,7 +153,7 @@ unsafe impl Sync for Tables {}
 
 impl<L: Law, const BOOK: bool> Pass<L, BOOK> {
     /// Without contacts yet.
-    pub fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self {
             laws: [Parameters::new(), Parameters::new()],
             memory: Memories::default(),

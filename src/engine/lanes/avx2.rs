@@ -16,11 +16,11 @@ use crate::engine::particles::Row;
 
 /// Numbers.
 #[derive(Clone, Copy)]
-pub struct Four(__m256d);
+pub(crate) struct Four(__m256d);
 
 /// All bits of a lane, or none.
 #[derive(Clone, Copy)]
-pub struct Mask(__m256d);
+pub(crate) struct Mask(__m256d);
 
 arithmetic!(Four: Add add _mm256_add_pd, Sub sub _mm256_sub_pd, Mul mul _mm256_mul_pd, Div div _mm256_div_pd);
 arithmetic!(Mask: BitAnd bitand _mm256_and_pd, BitOr bitor _mm256_or_pd);

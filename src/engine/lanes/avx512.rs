@@ -15,11 +15,11 @@ use crate::engine::particles::Row;
 
 /// Numbers.
 #[derive(Clone, Copy)]
-pub struct Eight(__m512d);
+pub(crate) struct Eight(__m512d);
 
 /// One bit per lane.
 #[derive(Clone, Copy)]
-pub struct Mask(__mmask8);
+pub(crate) struct Mask(__mmask8);
 
 arithmetic!(Eight: Add add _mm512_add_pd, Sub sub _mm512_sub_pd, Mul mul _mm512_mul_pd, Div div _mm512_div_pd);
 

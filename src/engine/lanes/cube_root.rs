@@ -15,7 +15,7 @@ const COARSE: f64 = 1.5 * (1_u64 << 35) as f64;
 /// A root y of 17 bits has an exact cube, and 1 - y³/x is exact but for one division: the series
 /// of (1 - v)^(-1/3) adds the rest to 10^-4 of half a last place.
 #[inline(always)]
-pub fn cube_root<V: Lanes>(x: V) -> (V, V::Mask) {
+pub(crate) fn cube_root<V: Lanes>(x: V) -> (V, V::Mask) {
     let (zero, one) = (V::all(0.0), V::all(1.0));
     let (small, smaller, least) = (
         V::all(0.125),

@@ -22,14 +22,14 @@ mod quad;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 #[cfg(target_arch = "x86_64")]
-pub use avx2::Four;
+pub(super) use avx2::Four;
 #[cfg(target_arch = "x86_64")]
-pub use avx512::Eight;
+pub(super) use avx512::Eight;
 pub(super) use columns::Columns;
-pub use cube_root::cube_root;
-pub use in_lanes::InLanes;
+pub(super) use cube_root::cube_root;
+pub(super) use in_lanes::InLanes;
 pub use isa::Isa;
-pub use quad::{Quad, Scalars};
+pub(super) use quad::{Quad, Scalars};
 
 use super::particles::Row;
 

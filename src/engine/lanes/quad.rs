@@ -10,7 +10,7 @@ use crate::engine::particles::Row;
     clippy::return_self_not_must_use,
     reason = "these are formulas: nobody drops the value of one"
 )]
-pub trait Quad: Lanes {
+pub(crate) trait Quad: Lanes {
     /// Rows to columns.
     fn transposed(rows: [Self; 4]) -> [Self; 4];
     /// The first three numbers, and the last of another.
@@ -37,11 +37,11 @@ pub trait Quad: Lanes {
 
 /// Four lanes without instructions of their own.
 #[derive(Clone, Copy)]
-pub struct Scalars([f64; 4]);
+pub(crate) struct Scalars([f64; 4]);
 
 /// Yes or no of four.
 #[derive(Clone, Copy)]
-pub struct ScalarMask([bool; 4]);
+pub(crate) struct ScalarMask([bool; 4]);
 
 macro_rules! by_lane {
     ($($operator:ident $method:ident),*) => {$(

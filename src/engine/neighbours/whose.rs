@@ -51,11 +51,14 @@ impl Whose {
     /// Notes the contacts of so many particles.
     ///
     /// # Panics
-    /// If there are half a milliard contacts.
+    /// If there are 2²⁹ contacts or more.
     pub(super) fn note(&mut self, particles: usize, pairs: &[[u32; 2]], walls: &[WallPair]) {
-        let contacts = (pairs.len() + walls.len()) as u32;
-        assert!(contacts < MORE / NUMBERS, "too many contacts to number");
-        self.nobody = contacts * NUMBERS;
+        let contacts = pairs.len() + walls.len();
+        assert!(
+            contacts < (MORE / NUMBERS) as usize,
+            "too many contacts to number"
+        );
+        self.nobody = contacts as u32 * NUMBERS;
         self.places.clear();
         self.places
             .resize(particles, [self.nobody; PLACES[0] + PLACES[1]]);
