@@ -74,14 +74,22 @@ pub fn normal_stresses(world: &World, inside: &[bool]) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// Largest pressure of Hertz, p0 = 3 N/(2 π a²) = 2 E* a/(π R*), of listed contact k [Pa]; NaN if its
-/// law knows no moduli.
+/// Largest pressure of Hertz of listed contact k [Pa]: p0 = 3 N/(2 π a²) = 2 E* a/(π R*) in the middle of
+/// a circle, p0 = 2 N/(π a) in that of a strip; NaN if its law knows no moduli.
 pub fn peak_pressure(world: &World, k: usize) -> f64 {
     let effective = world.effective(k);
-    if effective.young > 0.0 {
-        2.0 * effective.young * ContactArea::of(world, k).radius / (PI * effective.radius)
-    } else {
-        f64::NAN
+    if effective.young <= 0.0 {
+        return f64::NAN;
+    }
+    let area = ContactArea::of(world, k);
+    match world.model().body {
+        Body::Sphere => 2.0 * effective.young * area.radius / (PI * effective.radius),
+        Body::Disc => {
+            let overlap = world.geometry(k).overlap;
+            let [normal, _] = world.pass().springs(k, overlap.max(0.0));
+            let [mean, _] = area.stress(normal, 0.0);
+            4.0 / PI * mean
+        }
     }
 }
 

@@ -5,7 +5,7 @@
 
 use ballast::engine::World;
 use ballast::engine::setup::{Body, LawChoice, TimeStepChoice};
-use ballast::measure::contact_area::{ContactArea, normal_stresses};
+use ballast::measure::contact_area::{ContactArea, normal_stresses, peak_pressure};
 use ballast::measure::fourier::Fourier;
 use ballast::measure::fourth::FourthFabric;
 use ballast::measure::redundancy::Redundancy;
@@ -122,6 +122,23 @@ fn contact_areas_are_those_of_the_geometry() {
         let of = ContactArea::of(&world, 0);
         assert!(close(of.radius, 0.1, ROUNDING, 0.1));
         assert!(close(of.relative(), 0.1, ROUNDING, 0.1));
+    }
+    // The largest pressure is 3/2 of the mean in a circle, 4/π in a strip.
+    for (body, over_mean) in [(Body::Sphere, 1.5), (Body::Disc, 4.0 / PI)] {
+        let mut setup = setup(&discs);
+        let hertz = LawChoice::named("hertz").expect("it is in the list");
+        (setup.body, setup.law) = (body, hertz);
+        setup.time_step = TimeStepChoice::Seconds(1e-6);
+        setup.materials[0].young = Some(1e7);
+        setup.materials[0].poisson = Some(0.3);
+        let world = built(setup);
+        let (at, reaction) = (ContactArea::of(&world, 0), world.reaction(0));
+        let mean = reaction.normal / at.area;
+        let peak = peak_pressure(&world, 0);
+        assert!(
+            close(peak, over_mean * mean, ROUNDING, peak),
+            "{peak} {mean}"
+        );
     }
     // Unequal discs, and a wall: the curvatures add, the wall has none.
     let mut unequal = setup(&[([0.0, 0.0], 1.0), ([3.9, 0.0], 3.0)]);
