@@ -86,6 +86,28 @@ fn faults_name_cycle_and_culprit() {
     };
     assert!(distance > 1e4);
 
+    // A wall that would step over the particle, to and fro.
+    for factor in [1.1, 4.0, 100.0] {
+        let mut setup = discs(0.5);
+        setup.particles = vec![particle(0.0, 50.0, 1.0)];
+        setup.walls = vec![floor()];
+        let dt = ballast::engine::World::build(setup.clone(), 1)
+            .unwrap()
+            .dt();
+        setup.walls[0].velocity = [0.0, factor / dt];
+        let (found, cycle) = fault(setup);
+        let Fault::WallRunaway {
+            cycle: named,
+            wall,
+            distance,
+        } = found
+        else {
+            panic!("{factor}: {found:?}");
+        };
+        assert_eq!((named, wall.as_str()), (cycle, "floor"));
+        assert!((distance / factor - 1.0).abs() < 1e-12);
+    }
+
     // Through a wall: too fast for the spring.
     let mut setup = discs(0.5);
     setup.particles = vec![moving(0.0, 1.1, 1.0, [0.0, -200.0], 0.0)];

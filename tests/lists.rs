@@ -13,20 +13,24 @@ use ballast::scene::catalogue::PRESETS;
 use program::{ballast, said};
 
 /// What is asked of the program besides the workbench.
-const SUBCOMMANDS: [&str; 12] = [
-    "run",
-    "check",
-    "presets",
-    "show",
-    "laws",
-    "columns",
-    "commands",
-    "keys",
-    "verify",
-    "study",
-    "completions",
-    "man",
-];
+fn subcommands() -> Vec<String> {
+    let help = listed(&["--help"]);
+    let (_, list) = help.split_once("\nCommands:\n").expect("there are some");
+    let names = list.lines().take_while(|line| !line.is_empty());
+    let names = names.filter(|line| !line.starts_with("      "));
+    let names = names.filter_map(|line| line.split_whitespace().next());
+    let names: Vec<String> = names
+        .filter(|name| *name != "help")
+        .map(Into::into)
+        .collect();
+    for known in ["run", "bench", "plot", "export"] {
+        assert!(
+            names.iter().any(|name| name == known),
+            "{known} in {names:?}"
+        );
+    }
+    names
+}
 
 /// Standard output of a call that succeeds and has nothing to say beside it.
 #[track_caller]
@@ -240,9 +244,10 @@ fn check_tells_what_a_user_wants_to_know() {
 fn help_and_manual_name_everything() {
     let help = listed(&["--help"]);
     let manual = listed(&["man"]);
-    for subcommand in SUBCOMMANDS {
+    for subcommand in &subcommands() {
         assert!(has_line(&help, &[subcommand]), "{subcommand} in\n{help}");
-        assert!(manual.contains(subcommand), "{subcommand}");
+        let title = format!("ballast\\-{subcommand}(1)");
+        assert!(manual.contains(&title), "{title} in\n{manual}");
         let page = listed(&[subcommand, "--help"]);
         assert!(page.contains("Usage: ballast"), "{page}");
         assert_eq!(listed(&["help", subcommand]), page);
@@ -269,7 +274,8 @@ fn help_and_manual_name_everything() {
 fn every_shell_gets_completions_for_every_subcommand() {
     for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
         let script = listed(&["completions", shell]);
-        for word in SUBCOMMANDS.iter().chain(&["threads", "resume"]) {
+        let options = ["threads", "resume", "cycles"].map(String::from);
+        for word in subcommands().iter().chain(&options) {
             assert!(script.contains(word), "{shell}: {word}");
         }
     }
@@ -304,5 +310,59 @@ fn wrong_names_are_answered_with_near_ones() {
         (&["check"], &["<PRESET>"]),
     ] {
         refused(words, hints);
+    }
+}
+
+#[test]
+fn check_says_what_a_law_has_no_use_for() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = |law: &str, keys: &str, pair: &str| {
+        let text = format!(
+            "[model]\nlaw = \"{law}\"\nbody = \"sphere\"\n[material.a]\ndensity = 2500\nyoung = 1e9\n\
+             poisson = 0.3\nnormal_stiffness = 1e6\n{keys}\n[[pair]]\nmaterials = [\"a\", \"a\"]\n{pair}\n\
+             [[particle]]\nat = [0, 0]\nradius = 0.01\nmaterial = \"a\"\n"
+        );
+        fs::write(folder.path().join("p.toml"), text).expect("it can be written");
+        let output = ballast(folder.path(), &["check", "p.toml"]);
+        assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+        let text = String::from_utf8(output.stdout).expect("it is text");
+        text.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let useless = "does nothing";
+    for (law, keys, pair, expected) in [
+        ("hertz", "friction = 0.5", "restitution = 0.5", "friction of a does nothing"),
+        (
+            "hertz",
+            "",
+            "friction = 0.5",
+            "friction of the pair a, a does nothing",
+        ),
+        (
+            "hertz",
+            "",
+            "normal_stiffness = 1e6",
+            "normal_stiffness of the pair a, a does nothing",
+        ),
+        (
+            "linear",
+            "friction = 0.5\nshear_stiffness = 0",
+            "restitution = 0.5",
+            "friction of a does nothing",
+        ),
+    ] {
+        let text = scene(law, keys, pair);
+        assert!(text.contains(expected), "{expected} in {text}");
+    }
+    for (law, keys, pair) in [
+        ("hertz", "", "restitution = 0.5"),
+        ("hertz-mindlin", "friction = 0.5", "friction = 0.4"),
+        (
+            "linear",
+            "friction = 0.5\nshear_stiffness = 1e6",
+            "normal_stiffness = 1e6",
+        ),
+    ] {
+        let text = scene(law, keys, pair);
+        assert!(!text.contains(useless), "{text}");
     }
 }

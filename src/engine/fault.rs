@@ -29,6 +29,19 @@ pub enum Fault {
         /// Distance in that cycle [m].
         distance: f64,
     },
+    /// A wall moved further in one cycle than the radius of a particle, which it would step over.
+    #[error(
+        "cycle {cycle}: wall {wall} ran away, {distance:.3e} m in one cycle is more than the \
+         smallest radius; slow it down or reduce frac"
+    )]
+    WallRunaway {
+        /// Cycle in which it happened.
+        cycle: u64,
+        /// Name of the wall.
+        wall: String,
+        /// Distance in that cycle, of its fastest point near particles [m].
+        distance: f64,
+    },
     /// A particle left the region in which particles can be found again.
     #[error(
         "cycle {cycle}: particle {particle} is lost, {distance:.3e} m from the middle of the \

@@ -17,6 +17,7 @@ use super::rows::Rows;
 use super::setup::Gravity;
 use super::threads::Threads;
 use super::time_step::FRACC_WARNING;
+use super::wall::Wall;
 use super::wall_contact;
 
 /// Cycles after which the scale of the forces on a particle is made anew: it is compared with rounding
@@ -213,6 +214,9 @@ impl World {
             .map(|wall| self.reach_of(wall))
             .fold(0.0, f64::max);
         let drifted = self.drift_past_walls();
+        if moved * self.dt > self.contacts.smallest && self.contacts.rebuilds > 0 {
+            return Err(self.wall_that_ran_away());
+        }
         let contacts = &mut self.contacts;
         contacts.travel.wall_goes_on((moved + drifted) * self.dt);
         if contacts.rebuilds == 0 {
@@ -284,6 +288,16 @@ impl World {
         }
     }
 
+    fn wall_that_ran_away(&self) -> Fault {
+        let by_speed = |a: &&Wall, b: &&Wall| self.reach_of(a).total_cmp(&self.reach_of(b));
+        let fastest = self.walls.iter().max_by(by_speed);
+        Fault::WallRunaway {
+            cycle: self.cycle,
+            wall: fastest.map_or_else(String::new, |wall| wall.name.clone()),
+            distance: fastest.map_or(0.0, |wall| self.reach_of(wall) * self.dt),
+        }
+    }
+
     /// Largest speed with which the flow carries any particle past resting walls [m/s].
     fn drift_past_walls(&self) -> f64 {
         let Some((rate, centre)) = self.flow().filter(|_| !self.walls.is_empty()) else {
@@ -295,7 +309,7 @@ impl World {
     }
 
     /// Largest speed of any point of a wall that a particle can meet [m/s].
-    fn reach_of(&self, wall: &super::wall::Wall) -> f64 {
+    fn reach_of(&self, wall: &Wall) -> f64 {
         let speed = |v: [f64; 2]| (v[0] * v[0] + v[1] * v[1]).sqrt();
         if wall.spin == 0.0 {
             return speed(wall.velocity);

@@ -6,6 +6,7 @@ mod order;
 mod sizes;
 mod start;
 mod trial;
+mod unused;
 
 use std::fmt::{self, Write};
 
@@ -48,6 +49,7 @@ pub(super) fn check(options: &Check) -> u8 {
     sizes::describe(&mut report, &scene, world);
     order::describe(&mut report, world);
     step(&mut report, world);
+    unused::warn(&mut report, world);
     let trial = Trial::of(session);
     trial::describe(&mut report, &scene, &trial);
     written(&mut report, &scene, &options.preset);
