@@ -3,7 +3,7 @@
 //! The crate is one library and one binary. Modules depend on each other in one direction only,
 //! and `tests/tidy.rs` holds them to it:
 //!
-//! `cli -> study -> session -> {scene, record} -> language -> control -> measure -> engine`
+//! `main -> cli -> {tui, study} -> session -> {scene, record} -> language -> control -> measure -> engine`
 
 pub mod control;
 pub mod engine;

@@ -330,7 +330,12 @@ fn check_says_what_a_law_has_no_use_for() {
     };
     let useless = "does nothing";
     for (law, keys, pair, expected) in [
-        ("hertz", "friction = 0.5", "restitution = 0.5", "friction of a does nothing"),
+        (
+            "hertz",
+            "friction = 0.5",
+            "restitution = 0.5",
+            "friction of a does nothing",
+        ),
         (
             "hertz",
             "",

@@ -38,14 +38,18 @@ impl LawChoice {
         NAMES.iter().position(|known| *known == name).map(Self)
     }
 
+    fn listed(name: &str) -> Self {
+        Self::named(name).expect("it is in the list")
+    }
+
     /// The law of 1979, for discs.
     pub fn linear() -> Self {
-        Self(0)
+        Self::listed("linear")
     }
 
     /// The law of spheres unless another is named.
     pub fn exact() -> Self {
-        Self(LAWS.len() - 1)
+        Self::listed("mindlin-deresiewicz-exact")
     }
 
     /// Its row.
