@@ -24,9 +24,10 @@ use super::wall_contact;
 /// errors, where an order of magnitude is enough.
 const SIZE_EVERY: u64 = 64;
 
-/// Cycles, and powers of two beyond, after which a list that lasts is asked whether it is too wide:
-/// it is if less than this share of it would be best.
+/// A list of this age [cycles], and of each power of two beyond, is asked whether it is too wide.
 const LOOK_AFTER: u64 = 32;
+
+/// It is, and is made anew, if the best halo would be less than this share of the present one.
 const WIDE: f64 = 0.5;
 
 impl World {

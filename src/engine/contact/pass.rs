@@ -128,8 +128,8 @@ pub(crate) struct Pass<L: Law, const BOOK: bool> {
     tables: Tables,
 }
 
-/// Where the columns of parameters stand: written only where the list is made anew, as every thread has
-/// a look at it in every cycle.
+/// Where the columns of parameters stand. Kept apart and written only when the list is made anew: every
+/// thread reads them in every cycle, and a write would take the line away from all of them.
 struct Tables {
     laws: [[Column; MOST]; 2],
     /// Pairs, and contacts with walls.

@@ -133,7 +133,7 @@ impl Halos {
         &self.widths
     }
 
-    /// The halo, one particle with another [m].
+    /// The halo, averaged over the particles [m].
     pub(in crate::engine) fn mean(&self) -> f64 {
         self.mean
     }

@@ -60,14 +60,14 @@ pub struct ContactList {
     work: Work,
 }
 
-/// Fewer particles than these have one halo: lists of 500 in a hopper lasted 18 cycles with several, as
-/// single grains ended them, and 380 with one.
+/// Smaller assemblies have one halo everywhere: with several, single grains ended the lists of 500 in a
+/// hopper after 18 cycles instead of 380.
 const MANY: usize = 4096;
 
 /// A list that is wanted, and by whom.
 #[derive(Clone, Copy)]
 pub(in crate::engine) struct Wanted<'a> {
-    /// Halo, one with another [m].
+    /// Halo, averaged over the particles [m].
     pub(in crate::engine) tol: f64,
     /// Whether it may be wide in one place and narrow in another.
     pub(in crate::engine) local: bool,
@@ -246,7 +246,7 @@ impl ContactList {
         &self.whose
     }
 
-    /// The halo, one particle with another [m].
+    /// The halo, averaged over the particles [m].
     pub(in crate::engine) fn halo(&self) -> f64 {
         self.travel.halos.mean()
     }

@@ -3,7 +3,7 @@
 
 use std::ops::Range;
 
-/// So many are noted at once, at most.
+/// So many are noted at once, at most: as many as the widest lanes pack.
 const SPARE: usize = 8;
 
 /// So many particles look one after another.

@@ -15,8 +15,9 @@ const THIN: f64 = 0.1;
 /// Where halos differ, most pairs out of touch are in wide ones, and these grow with the square of their width.
 const STEEP: f64 = 2.0;
 
-/// Bounds, in radii. In a slowly sheared assembly a few thousandths are best. Where 100 000 discs rain
-/// three quarters are faster than one by 1 to 3 %; half lost up to 9 % against one, one and a half 20 %.
+/// Bounds, in radii. In a slowly sheared assembly a few thousandths are best. Where 100 000 discs rain, and
+/// compared with one radius, three quarters are 1 to 3 % faster, a half up to 9 % slower, one and a half
+/// 20 % slower.
 const BOUNDS: [f64; 2] = [0.001, 0.75];
 
 /// Not more than these factors down and up at once. Up in small steps, as motion comes in bursts; down in

@@ -97,7 +97,7 @@ impl Tiles {
     /// Makes the halos so many times what is [wanted](Self::want), and that of walls so many times what
     /// particles and walls went, and half of it more.
     pub(super) fn widen(&self, halos: &mut Halos, share: f64, wall: f64) {
-        // Infinitely many times nothing is anything: these stay as they are.
+        // Infinite where nothing has moved yet: the halos stay as they are.
         if share.is_finite() {
             halos.widen(&self.wanted, share);
             let mean = self.mean(halos.widths());

@@ -9,9 +9,9 @@ use crate::engine::lanes::Lanes;
 use crate::engine::particles::Row;
 use crate::engine::threads::Threads;
 
-/// A list that is measured goes on if less than this share of its one halo is spent. To measure costs a
-/// twentieth of making a list; where it shows that half of what was supposed is spent, as where all fall,
-/// measures come after half of what is left, and that after .875 would win less than it costs.
+/// A list that is measured goes on if less than this share of its one halo is spent. Measuring costs a
+/// twentieth of making a list. Where particles use half of what is assumed, as where all fall, each
+/// measurement halves what is left: the third, at .875, would cost more than it saves.
 const SPENT: f64 = 0.85;
 
 /// Way since the list was made.
@@ -49,8 +49,8 @@ impl Travel {
         self.stretch = 0.0;
     }
 
-    /// They are to be listed within `tol` [m], one with another: of an assembly of this extent, largest and
-    /// mean radius [m] where ways since the last list were long, else everywhere.
+    /// Chooses the halo of the new list. With `local`, the extent and the largest and mean radius [m] of the
+    /// assembly, halos differ from tile to tile and average `tol` [m]; without, `tol` holds everywhere.
     pub(super) fn lay(&mut self, local: Option<(Extent, [f64; 2])>, tol: f64) {
         self.blocks.learn(&self.halos, self.wall);
         let particles = self.reference.len();

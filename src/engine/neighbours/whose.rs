@@ -139,8 +139,8 @@ impl Whose {
         })
     }
 
-    /// Where in [those of several](Self::more) it is said what a last place stands for, if for several: how many,
-    /// and then they.
+    /// Offset in [`more`](Self::more) of the contacts that a last place refers to, if it refers to several: how
+    /// many, and then their slots.
     #[inline(always)]
     pub(in crate::engine) fn more_at(last: u32) -> Option<usize> {
         Self::is_more(last).then_some((last & !MORE) as usize)

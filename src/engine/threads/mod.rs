@@ -66,8 +66,8 @@ struct Task {
     data: *const (),
 }
 
-/// What no other thread writes meanwhile: a stretch of memory that processors do not take from each other
-/// for the sake of something else.
+/// Padded to cache lines of its own, so that a write beside it does not take it away from the thread that
+/// uses it.
 #[repr(align(128))]
 pub(super) struct Apart<T>(pub(super) T);
 

@@ -27,10 +27,12 @@ const SPENT: f64 = 0.97;
 /// front comes to tiles that were at rest: .03 to .15 made no difference beyond noise.
 const LEAST: [f64; 2] = [0.06, 1.0];
 
-/// That share grows by the first factor if, one particle with another, less than the second of a halo is
-/// spent when a list ends, as one place ended it that nobody foresaw; and shrinks by the third if more than
-/// the fourth is. Where all goes as foreseen .75 to 1.08 are spent, at a surprise .2 to .4.
+/// The least share grows by the first factor when a list ends with less than the second of the mean halo
+/// spent: one place ended it that nobody foresaw. Where all goes as foreseen .75 to 1.08 are spent, at a
+/// surprise .2 to .4.
 const GROWS: [f64; 2] = [2.0, 0.4];
+
+/// It shrinks by the first factor when a list ends with more than the second of the mean halo spent.
 const SHRINKS: [f64; 2] = [0.8, 0.7];
 
 /// Ways of blocks; none where the halo is the same everywhere.
@@ -42,7 +44,7 @@ pub(in crate::engine) struct Blocks {
     left: f64,
     /// Particles moved in a way that the boxes do not know of.
     lost: bool,
-    /// Share of the widest halo that lists so far would have had each halo be.
+    /// Least halo as a share of the widest, as earlier lists would have needed it.
     learnt: f64,
     #[serde(skip)]
     members: Vec<Member>,
