@@ -434,3 +434,19 @@ fn rolling_resistance_acts_on_walls_and_is_their_work() {
     assert!((work - due).abs() < 0.005 * due.abs(), "{work} {due}");
     assert!(booked.energy_error.abs() < 1e-5, "{booked:?}");
 }
+
+/// Friction of a wall set again and again is what it was set to last, and leaves nothing behind.
+#[test]
+fn friction_of_a_wall_is_what_it_was_set_to_last() {
+    let mut setup = discs(0.5);
+    setup.particles = vec![particle(0.0, 0.999, 1.0), particle(3.0, 0.999, 1.0)];
+    setup.walls = vec![floor()];
+    let mut world = world(setup);
+    for friction in [0.1, 0.7, 0.3] {
+        world.set_wall_friction("floor", friction);
+        let at_wall = (0..world.contacts().len()).map(|k| world.pair_of(k).friction);
+        assert_eq!(at_wall.collect::<Vec<_>>(), [friction; 2]);
+        assert_eq!(world.model().pairs.len(), 1);
+        assert_eq!(world.model().materials.len(), 2);
+    }
+}

@@ -50,7 +50,10 @@ impl World {
                     // Particles may be smoother: pairs say what holds at this wall.
                     for other in 0..own {
                         let pair = world.pair_override([other, shared]);
-                        world.model.pairs.push(PairOverride {
+                        let own_pair = [[other, own], [own, other]];
+                        let pairs = &mut world.model.pairs;
+                        pairs.retain(|pair| !own_pair.contains(&pair.materials));
+                        pairs.push(PairOverride {
                             materials: [other, own],
                             friction: Some(friction),
                             ..pair
