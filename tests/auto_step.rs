@@ -5,6 +5,7 @@ mod common;
 use ballast::engine::World;
 use ballast::engine::edit::Motion;
 use ballast::engine::setup::{Body, LawChoice, Material, Setup, TimeStepChoice};
+use ballast::record::checkpoint;
 use common::*;
 
 fn shot(auto: Option<f64>, frac: f64) -> Setup {
@@ -230,4 +231,21 @@ fn what_is_pinched_stays_stable() {
             "{young:e} {speed} {large}: {most} {end}"
         );
     }
+}
+
+/// When the bound is looked at next goes into a checkpoint: looks are seldom where nothing changes.
+#[test]
+fn a_checkpoint_does_not_change_when_it_is_looked_at() {
+    let mut straight = world(press(0.9));
+    run(&mut straight, 1000);
+    let stored = checkpoint::encode(&straight).expect("it is stored");
+    let mut resumed: World = checkpoint::decode(&stored).expect("it is what was stored");
+    assert!(resumed.unpack(1));
+    let before = straight.step_changes().count;
+    for _ in 0..40 {
+        run(&mut straight, 33);
+        run(&mut resumed, 33);
+        assert_eq!(straight.state_hash(), resumed.state_hash());
+    }
+    assert!(straight.step_changes().count > before);
 }
