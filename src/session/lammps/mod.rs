@@ -8,6 +8,8 @@ mod law;
 mod misfit;
 mod motion;
 mod notes;
+mod prescribed;
+mod strain;
 mod walls;
 
 use std::path::Path;

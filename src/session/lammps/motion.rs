@@ -1,10 +1,11 @@
-//! What moves particles besides contacts: integration, gravity, damping, prescribed motion, the strain
-//! of a cell.
+//! What moves particles besides contacts: integration, gravity, applied forces, damping.
 
 use super::misfit::Fit;
+use super::prescribed::{Prescribed, prescribed};
+use super::strain::{boundary, steering};
 use crate::control::Control;
 use crate::engine::World;
-use crate::engine::boundary::{Kind, Ring, Tensor};
+use crate::engine::boundary::Tensor;
 use crate::engine::setup::{Body, Gravity};
 use crate::record::number::real;
 
@@ -13,7 +14,12 @@ const GROUPS: usize = 24;
 
 /// The lines after the time step.
 pub(super) fn fixes(world: &World, control: &Control, fit: &mut Fit) -> String {
-    let mut text = prescribed(world, fit);
+    let Prescribed {
+        groups,
+        motion,
+        holds,
+    } = prescribed(world, fit);
+    let mut text = groups + &motion;
     let disc = match world.model().body {
         Body::Disc => " disc",
         Body::Sphere => "",
@@ -29,85 +35,16 @@ pub(super) fn fixes(world: &World, control: &Control, fit: &mut Fit) -> String {
     text += &applied(world, fit);
     text += &damping(world, fit);
     text += &boundary(world, fit);
+    if !holds.is_empty() {
+        text += "# last, whatever adds forces; where LAMMPS warns of that beside damping/cundall, it is meant\n";
+        text += &holds;
+    }
     steering(control, fit);
     text
 }
 
-/// Groups of particles whose motion is prescribed in full or in part, and the group `free`.
-fn prescribed(world: &World, fit: &mut Fit) -> String {
-    let p = world.particles();
-    let ring = world.boundary().and_then(|boundary| boundary.ring());
-    let in_ring = |k: usize| ring.is_some_and(|r| r.members.binary_search(&p.id[k]).is_ok());
-    let listed = |wanted: &dyn Fn(usize) -> bool| -> Vec<u32> {
-        (0..p.len())
-            .filter(|&k| wanted(k))
-            .map(|k| p.id[k])
-            .collect()
-    };
-    let ring_ids = listed(&|k| in_ring(k));
-    let driven = listed(&|k| p.is_driven(k) && !in_ring(k));
-    let mut text = group("ring", &ring_ids) + &group("driven", &driven);
-    let mut held = Vec::new();
-    if !ring_ids.is_empty() {
-        held.push("ring");
-        text += &ring_motion(world, fit);
-    }
-    if !driven.is_empty() {
-        held.push("driven");
-        text += "fix driven driven nve/noforce\n";
-        fit.maps("particles whose whole motion is prescribed: they keep velocity and spin");
-    }
-    if held.is_empty() {
-        text += "group free union all\n";
-    } else {
-        text += &format!(
-            "group held union {}\ngroup free subtract all held\n",
-            held.join(" ")
-        );
-        // Contacts take the mass of a partner that is held as infinite.
-        text += "fix held held freeze\n";
-    }
-    for (axis, force) in [(0, "0.0 NULL NULL"), (1, "NULL 0.0 NULL")] {
-        let name = ["heldx", "heldy"][axis];
-        let ids = listed(&|k| p.fixed[k][axis] && !p.is_driven(k) && !in_ring(k));
-        if !ids.is_empty() {
-            text += &group(name, &ids);
-            text += &format!("fix {name} {name} setforce {force}\n");
-            fit.maps("particles whose velocity in one direction is prescribed");
-        }
-    }
-    if (0..p.len()).any(|k| p.fixed[k][2] && !p.is_driven(k) && !in_ring(k)) {
-        fit.lacks(
-            "particles whose spin alone is prescribed",
-            "particles that turn as their contacts make them",
-        );
-    }
-    text
-}
-
-fn ring_motion(world: &World, fit: &mut Fit) -> String {
-    fit.lacks(
-        "a ring of boundary particles, which others join when they leave it",
-        "the particles of the ring now, moving as the strain rate says; nobody joins them, and what \
-         stress they carry is not imposed",
-    );
-    let Some(boundary) = world.boundary() else {
-        return String::new();
-    };
-    let loaded = boundary.ring().is_some_and(Ring::is_loaded);
-    let rate = if loaded {
-        [[0.0; 2]; 2]
-    } else {
-        boundary.straining.target()
-    };
-    let origin = world.origin();
-    let centre = [0, 1].map(|k| boundary.centre[k] + origin[k]);
-    flow("ring", &rate, centre)
-        + "fix ring ring move variable NULL NULL NULL v_ringx v_ringy NULL\n"
-}
-
 /// Variables per particle with the velocity of a flow at their places.
-fn flow(name: &str, rate: &Tensor, centre: [f64; 2]) -> String {
+pub(super) fn flow(name: &str, rate: &Tensor, centre: [f64; 2]) -> String {
     let line = |axis: usize| {
         format!(
             "variable {name}{} atom \"-({}*(x-({}))+{}*(y-({})))\"\n",
@@ -122,7 +59,7 @@ fn flow(name: &str, rate: &Tensor, centre: [f64; 2]) -> String {
 }
 
 /// Lines that put particles into a group, ranges as such.
-fn group(name: &str, ids: &[u32]) -> String {
+pub(super) fn group(name: &str, ids: &[u32]) -> String {
     let mut ranges: Vec<[u32; 2]> = Vec::new();
     for &id in ids {
         match ranges.last_mut() {
@@ -248,65 +185,4 @@ fn damping(world: &World, fit: &mut Fit) -> String {
         text += "fix drag free addforce v_dragx v_dragy 0.0\n";
     }
     text
-}
-
-fn boundary(world: &World, fit: &mut Fit) -> String {
-    let mut text = String::new();
-    if let Some(boundary) = world.boundary() {
-        let rate = boundary.straining.target();
-        if rate != boundary.straining.rate() {
-            fit.differs("the strain rate is at its end at once: a ramp is not written");
-        }
-        match &boundary.kind {
-            Kind::Cell(cell) => {
-                let [a, b] = cell.edges;
-                if a[1] != 0.0 || b[0] != 0.0 {
-                    fit.refuses("a cell whose edges are not along x and y");
-                }
-                if rate[0][1] != 0.0 || rate[1][0] != 0.0 {
-                    fit.lacks("shear of the cell", "its strain rate in x and y alone");
-                }
-                fit.maps("periodic cell, with its strain rate as fix deform ... trate ... remap v");
-                fit.differs(
-                    "velocities are whole there and those beside the flow here: inertia of the flow \
-                     itself, of second order in the strain rate, is in LAMMPS alone",
-                );
-                if rate != [[0.0; 2]; 2] {
-                    fit.differs(
-                        "LAMMPS gives images of particles the velocity of the straining cell from \
-                         its second step on: forces of the first compare in a cell at rest only",
-                    );
-                    text += &format!(
-                        "fix cell all deform 1 x trate {} y trate {} remap v\n",
-                        real(-rate[0][0]),
-                        real(-rate[1][1])
-                    );
-                }
-            }
-            Kind::Walls if rate != [[0.0; 2]; 2] => fit.lacks(
-                "walls that move as lines of a strained plane",
-                "walls that keep the velocities they have now",
-            ),
-            Kind::Walls | Kind::Ring(_) => {}
-        }
-    }
-    if world.continuum().is_some() && world.cell().is_none() {
-        fit.lacks(
-            "a continuum whose flow carries all particles",
-            "particles with the velocity it gives them now, and no flow from there on",
-        );
-    }
-    text
-}
-
-fn steering(control: &Control, fit: &mut Fit) {
-    if control.servo.is_some() || !control.walls.is_empty() {
-        fit.lacks(
-            "servos: LAMMPS steers neither strain rate nor walls by these stresses",
-            "what they impose now, from there on",
-        );
-    }
-    if control.growth.is_some() {
-        fit.lacks("radii that change", "radii as they are now");
-    }
 }
