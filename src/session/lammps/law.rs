@@ -2,6 +2,7 @@
 //! here, and the older and faster `gran/hertz/history` and `gran/hooke/history`.
 
 use super::misfit::Fit;
+use super::typical::{Partners, Typical};
 use crate::engine::World;
 use crate::engine::contact::dashpot::{hertz_restitution_for_fraction, restitution_for_fraction};
 use crate::engine::pair::Pair;
@@ -10,22 +11,10 @@ use crate::record::number::real;
 
 /// How contacts are written.
 pub(super) struct Words<'w> {
-    world: &'w World,
-    linear: bool,
+    pub(super) world: &'w World,
+    pub(super) linear: bool,
     /// Shear of the law, if contacts with friction have one.
     shear: &'static str,
-    /// Means over the contacts that touch.
-    means: Means,
-}
-
-/// Means over the contacts that touch.
-#[derive(Debug, Clone, Copy, Default)]
-struct Means {
-    /// Effective mass [kg].
-    mass: f64,
-    /// Viscosity of the normal dashpot over effective mass and, of Hertz, contact radius
-    /// [1/s or 1/(m s)].
-    gamma: f64,
 }
 
 impl<'w> Words<'w> {
@@ -80,7 +69,6 @@ impl<'w> Words<'w> {
             world,
             linear,
             shear,
-            means: Means::of(world, linear),
         }
     }
 
@@ -89,8 +77,8 @@ impl<'w> Words<'w> {
         let mut text = "pair_style granular\n".to_owned();
         for (k, &a) in kinds.iter().enumerate() {
             for (l, &b) in kinds.iter().enumerate().skip(k) {
-                let pair = self.world.pair_table().get(a, b, false);
-                let model = self.model(pair, fit);
+                let wall = false;
+                let model = self.model(Partners { a, b, wall }, fit);
                 text += &format!("pair_coeff {} {} {model}\n", k + 1, l + 1);
             }
         }
@@ -98,8 +86,9 @@ impl<'w> Words<'w> {
     }
 
     /// A contact as `pair_coeff` and `fix wall/gran/region granular` take it.
-    pub(super) fn model(&self, pair: &Pair, fit: &mut Fit) -> String {
-        let (normal, damping) = self.normal(pair, fit);
+    pub(super) fn model(&self, partners: Partners, fit: &mut Fit) -> String {
+        let pair = self.pair(partners);
+        let (normal, damping) = self.normal(partners, fit);
         let tangential = if pair.is_frictional() {
             if pair.cohesion > 0.0 {
                 fit.refuses("cohesion, which widens the limit of friction: LAMMPS has none");
@@ -123,7 +112,13 @@ impl<'w> Words<'w> {
         format!("{normal} tangential {tangential} damping {damping}{limit}")
     }
 
-    fn normal(&self, pair: &Pair, fit: &mut Fit) -> (String, &'static str) {
+    /// What the table says of two materials.
+    pub(super) fn pair(&self, Partners { a, b, wall }: Partners) -> &'w Pair {
+        self.world.pair_table().get(a, b, wall)
+    }
+
+    fn normal(&self, partners: Partners, fit: &mut Fit) -> (String, &'static str) {
+        let pair = self.pair(partners);
         let (word, stiffness) = if self.linear {
             ("hooke", pair.normal_stiffness)
         } else {
@@ -151,9 +146,11 @@ impl<'w> Words<'w> {
                  proportion to the mass too",
                 "damping viscoelastic, the same at the mean effective mass of the contacts now",
             );
-            (2.0 * beta * pair.young / self.means.mass, "viscoelastic")
+            let mass = Typical::of(self.world, partners, false).mass;
+            (2.0 * beta * pair.young / mass, "viscoelastic")
         } else {
-            (0.0, "none")
+            // LAMMPS does not run without a model of damping.
+            (0.0, "velocity")
         };
         (
             format!("{word} {} {}", real(stiffness), real(value)),
@@ -162,7 +159,7 @@ impl<'w> Words<'w> {
     }
 
     /// Viscosity of the tangential dashpot over that of the normal one.
-    fn tangential_ratio(&self, pair: &Pair, fit: &mut Fit) -> f64 {
+    pub(super) fn tangential_ratio(&self, pair: &Pair, fit: &mut Fit) -> f64 {
         let ([b, bt], [beta, beta_t]) = (pair.fraction, pair.beta);
         if bt == 0.0 && beta_t == 0.0 {
             return 0.0;
@@ -172,7 +169,7 @@ impl<'w> Words<'w> {
         } else {
             4.0 * pair.shear / pair.young
         };
-        if b > 0.0 && bt > 0.0 {
+        let ratio = if b > 0.0 && bt > 0.0 {
             bt / b * stiffness.sqrt()
         } else if beta > 0.0 && beta_t > 0.0 {
             beta_t / beta * stiffness
@@ -181,113 +178,22 @@ impl<'w> Words<'w> {
                 "tangential dashpots beside normal ones of another kind, or none",
                 "no tangential dashpots",
             );
-            0.0
-        }
-    }
-
-    /// The older styles; they have one set of coefficients for all pairs.
-    pub(super) fn classic(&self, kinds: &[usize]) -> Result<String, &'static str> {
-        let &[kind] = kinds else {
-            return Err("it has one set of coefficients, and there are several materials");
+            return 0.0;
         };
-        let pair = self.world.pair_table().get(kind, kind, false);
-        let style = if self.linear {
-            "gran/hooke/history"
-        } else {
-            "gran/hertz/history"
-        };
-        let numbers = self.classic_numbers(pair);
-        Ok(format!("pair_style {style} {numbers}\npair_coeff * *\n"))
-    }
-
-    /// A contact in the older form: stiffnesses, damping, friction.
-    pub(super) fn classic_numbers(&self, pair: &Pair) -> String {
-        let (normal, shear) = if self.linear {
-            (pair.normal_stiffness, pair.shear_stiffness)
-        } else {
-            (4.0 / 3.0 * pair.young, 8.0 * pair.shear)
-        };
-        // The default of the shear damping is half the normal one.
-        let friction = if pair.is_frictional() {
-            pair.friction
-        } else {
-            0.0
-        };
-        let ratio = self.tangential_ratio(pair, &mut Fit::default());
-        let gamma = if pair.is_damped() {
-            self.means.gamma
-        } else {
-            0.0
-        };
-        let damped = u8::from(ratio > 0.0);
-        let limit = if pair.pull { "" } else { " limit_damping" };
-        format!(
-            "{} {} {} {} {} {damped}{limit}",
-            real(normal),
-            real(shear),
-            real(gamma),
-            real(gamma * ratio),
-            real(friction)
-        )
-    }
-
-    /// What walls of the older form are called.
-    pub(super) fn classic_wall(&self) -> &'static str {
-        if self.linear {
-            "hooke/history"
-        } else {
-            "hertz/history"
-        }
-    }
-
-    /// How the older form differs, for the notes.
-    pub(super) fn classic_note(&self) -> &'static str {
-        if self.linear {
-            "the dashpot is in proportion to the effective mass, not to its root"
-        } else {
-            "the shear force is 8 G* a times the whole tangential displacement, so that it grows and \
-             falls with a; the dashpot is in proportion to effective mass and contact radius"
-        }
+        fit.differs(RUBBING);
+        ratio
     }
 }
+
+/// Where tangential dashpots of LAMMPS are others.
+const RUBBING: &str = "tangential dashpots where spring and dashpot together exceed friction: both \
+    programs give mu N, but LAMMPS then takes the dashpot off the spring that it remembers, while here \
+    the dashpot gives way and the spring keeps its displacement. At the first step of a run LAMMPS \
+    remembers no spring yet: a contact whose dashpot alone exceeds friction has no tangential force at \
+    all there, and mu N here";
 
 /// Restitution that LAMMPS can take the logarithm of.
 const SMALLEST: f64 = 1e-6;
-
-impl Means {
-    fn of(world: &World, linear: bool) -> Self {
-        let (mut count, mut mass, mut gamma) = (0.0, 0.0, 0.0);
-        for k in 0..world.contacts().pairs.len() {
-            let (i, other) = world.bodies(k);
-            let overlap = -world.gap(i, other);
-            if overlap <= 0.0 {
-                continue;
-            }
-            let effective = world.effective(k);
-            let c = world.pass().stiffness(k, overlap).c[0];
-            let scale = if linear {
-                1.0
-            } else {
-                (effective.radius * overlap).sqrt()
-            };
-            count += 1.0;
-            mass += effective.mass;
-            gamma += c / (effective.mass * scale);
-        }
-        if count > 0.0 {
-            return Self {
-                mass: mass / count,
-                gamma: gamma / count,
-            };
-        }
-        let particles = world.particles();
-        let all: f64 = particles.mass.iter().sum();
-        Self {
-            mass: 0.5 * all / particles.len() as f64,
-            gamma: 0.0,
-        }
-    }
-}
 
 /// How masses are written.
 pub(super) fn body(world: &World, fit: &mut Fit) {

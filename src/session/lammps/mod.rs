@@ -4,12 +4,14 @@
 //! What LAMMPS lacks is refused with its reason, or written as what comes nearest where that is asked
 //! for. What contacts remember cannot be handed over: they start without shear there.
 
+mod classic;
 mod law;
 mod misfit;
 mod motion;
 mod notes;
 mod prescribed;
 mod strain;
+mod typical;
 mod walls;
 
 use std::path::Path;
@@ -66,7 +68,7 @@ impl Session {
         let pairs = words.granular(&kinds, &mut fit);
         let walls = walls::walls(world, &words, &kinds, corners, &mut fit);
         let fixes = motion::fixes(world, &self.control, &mut fit);
-        let classic = words.classic(&kinds);
+        let classic = words.classic(&kinds, &mut fit);
         state(world, &mut fit);
         refuse(&self.scene.name, &fit, nearest)?;
 
@@ -171,8 +173,9 @@ fn state(world: &World, fit: &mut Fit) {
         fit.differs("the time step is the present one: it does not follow the stiffness");
     }
     fit.differs(
-        "lever arms and tangential velocities: LAMMPS takes R - overlap/2 (granular) or R (classic), \
-         here the branch is split in proportion to the radii",
+        "lever arms between particles: here the branch is split in proportion to the radii, for \
+         tangential velocities and moments alike; LAMMPS takes R for the velocities, and for moments \
+         R - overlap/2 (granular) or R (classic). At walls all take R",
     );
 }
 

@@ -2,6 +2,7 @@
 
 use super::law::Words;
 use super::misfit::Fit;
+use super::typical::Partners;
 use crate::engine::World;
 use crate::engine::wall::Wall;
 use crate::record::number::real;
@@ -40,20 +41,23 @@ pub(super) fn walls(
         let name = format!("wall{}", w + 1);
         text.regions += &region(world, wall, &name, corners);
         for (k, &kind) in kinds.iter().enumerate() {
-            let pair = world.pair_table().get(kind, wall.material, true);
+            let partners = Partners {
+                a: kind,
+                b: wall.material,
+                wall: true,
+            };
             let (fix, group) = if several {
                 (format!("{name}kind{}", k + 1), format!("kind{}", k + 1))
             } else {
                 (name.clone(), "all".to_owned())
             };
             let fix = format!("fix {fix} {group} wall/gran/region");
-            let model = words.model(pair, fit);
+            let model = words.model(partners, fit);
             text.granular += &format!("{fix} granular {model} region {name}\n");
-            text.classic += &format!(
-                "{fix} {} {} region {name}\n",
-                words.classic_wall(),
-                words.classic_numbers(pair)
-            );
+            if !several {
+                let classic = words.classic_wall(partners, fit);
+                text.classic += &format!("{fix} {classic} region {name}\n");
+            }
         }
     }
     if !world.walls().is_empty() {
