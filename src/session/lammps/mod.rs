@@ -70,7 +70,7 @@ impl Session {
         let fixes = motion::fixes(world, &self.control, &mut fit);
         let classic = words.classic(&kinds, &mut fit);
         state(world, &mut fit);
-        refuse(&self.scene.name, &fit, nearest)?;
+        fit.accept(&self.scene.name, nearest)?;
 
         let name = plain(&self.scene.name);
         let title = format!(
@@ -112,37 +112,6 @@ impl Session {
         let table = tables::all(&self.sample(), DumpOf::Particles);
         String::from_utf8_lossy(table.bytes()).into_owned()
     }
-}
-
-/// Refuses what does not map.
-fn refuse(name: &str, fit: &Fit, nearest: bool) -> Result<(), Refusal> {
-    let lacking = |misfit: &&misfit::Misfit| !nearest || misfit.nearest.is_none();
-    let reasons: Vec<String> = (fit.misfits.iter().filter(lacking))
-        .map(|misfit| misfit.what.clone())
-        .collect();
-    if reasons.is_empty() {
-        return Ok(());
-    }
-    let remedy = if fit.misfits.iter().all(|misfit| misfit.nearest.is_some()) {
-        let nearest = fit
-            .misfits
-            .iter()
-            .filter_map(|misfit| misfit.nearest.clone());
-        let nearest: Vec<String> = nearest.collect();
-        format!(
-            "--nearest writes what comes nearest: {}",
-            nearest.join("; ")
-        )
-    } else {
-        "nothing comes near that: change the scene with --set".to_owned()
-    };
-    Err(Refusal::new(
-        format!(
-            "{name} cannot be written for LAMMPS as it is: {}",
-            reasons.join("; ")
-        ),
-        remedy,
-    ))
 }
 
 /// What contacts remember, which is lost.

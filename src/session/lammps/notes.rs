@@ -54,12 +54,6 @@ pub(super) fn readme(
 }
 
 fn list<'a>(lines: impl Iterator<Item = &'a str>) -> String {
-    let mut seen: Vec<&str> = Vec::new();
-    for line in lines {
-        if !seen.contains(&line) {
-            seen.push(line);
-        }
-    }
-    let lines: Vec<String> = seen.iter().map(|line| format!("- {line}\n")).collect();
+    let lines: Vec<String> = lines.map(|line| format!("- {line}\n")).collect();
     lines.concat()
 }
