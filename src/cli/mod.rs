@@ -16,6 +16,7 @@ mod pages;
 mod placed;
 mod plot;
 mod progress;
+mod recorded;
 mod run;
 mod sample;
 mod study;

@@ -4,6 +4,7 @@ use std::cell::RefCell;
 use std::io::{ErrorKind, IsTerminal, Write};
 use std::path::Path;
 
+use super::recorded::Recorded;
 use super::{BAD_INPUT, FAILED};
 use crate::record::error::{Attempt, RecordError};
 use crate::scene::{Rejection, Scene};
@@ -60,6 +61,10 @@ pub(super) fn coloured(stream: &impl IsTerminal) -> bool {
 
 /// Loads a scene, or says what is wrong with it.
 pub(super) fn load(preset: &str, set: &[String]) -> Option<Scene> {
+    if let Some(other) = Recorded::find(preset) {
+        complain(&other.advice(preset));
+        return None;
+    }
     match Scene::load(preset, set) {
         Ok(scene) => Some(scene),
         Err(rejection) => {

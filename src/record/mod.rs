@@ -14,6 +14,7 @@ pub mod lammps;
 pub mod number;
 #[cfg(test)]
 mod own_process;
+pub mod shell_word;
 pub mod table;
 pub mod vtk;
 pub mod whole_file;

@@ -55,6 +55,12 @@ pub struct Errand {
 impl Course {
     /// Whether nothing of the stages is left.
     pub(super) fn is_finished(&self, stages: usize) -> bool {
-        stages == 0 || (self.phase == Phase::Over && self.stage + 1 >= stages)
+        stages == 0 || self.done(stages) >= stages
+    }
+
+    /// How many stages have ended.
+    pub(super) fn done(&self, stages: usize) -> usize {
+        let own = usize::from(self.phase == Phase::Over);
+        (self.stage + own).min(stages)
     }
 }

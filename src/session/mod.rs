@@ -146,6 +146,11 @@ impl Session {
         (self.course.stage, self.scene.stages.len())
     }
 
+    /// How many stages have ended.
+    pub fn stages_done(&self) -> usize {
+        self.course.done(self.scene.stages.len())
+    }
+
     /// Cycles done in the stage.
     pub fn stage_cycle(&self) -> u64 {
         self.world.cycle_number() - self.course.started_at

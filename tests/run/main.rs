@@ -14,6 +14,7 @@ mod program;
 mod repetition;
 mod replay;
 mod resumption;
+mod resumption_told;
 mod scenes;
 mod start;
 mod usage;

@@ -9,7 +9,7 @@ use crate::cli::output::{complain, tell};
 use crate::cli::{FAILED, Run};
 use crate::record::error::RecordError;
 use crate::record::interrupt::Signal;
-use crate::record::journal::EventKind;
+use crate::record::shell_word::shell_word;
 use crate::session::{RunError, Session};
 
 /// How the run ended.
@@ -81,7 +81,16 @@ fn failed(session: &mut Session, options: &Run, files: &Files, error: &RunError)
         // Whoever read the rows has had enough of them.
         return 0;
     }
-    complain(&error.to_string());
+    let mut said = vec![error.to_string()];
+    complain(&said[0]);
+    // What is so of one file twice is said once.
+    let mut say = |error: RunError| {
+        let text = error.to_string();
+        if !said.contains(&text) {
+            complain(&text);
+            said.push(text);
+        }
+    };
     let path = checkpoint(session, options, files);
     let kept = match error {
         RunError::Fault(_) => before_fault(session, files, &path),
@@ -91,17 +100,14 @@ fn failed(session: &mut Session, options: &Run, files: &Files, error: &RunError)
         }
     };
     let good = kept.unwrap_or_else(|error| {
-        complain(&error.to_string());
-        None
+        say(error);
+        // A checkpoint that cannot be replaced stays what it was.
+        files.saved
     });
     // Each on its own: the journal may fit where the rows do not.
     let (journal, rows) = (keep_journal(session, options, files), session.flush());
     for outcome in [journal, rows] {
-        if let Err(later) = outcome
-            && later.to_string() != error.to_string()
-        {
-            complain(&later.to_string());
-        }
+        outcome.err().into_iter().for_each(&mut say);
     }
     if let Some(cycle) = good {
         tell(&format!(
@@ -157,7 +163,7 @@ fn resume_line(path: &Path, options: &Run) -> String {
     let mut line = "ballast run".to_owned();
     let mut word = |text: &str| {
         line.push(' ');
-        line.push_str(&quoted(text));
+        line.push_str(&shell_word(text));
     };
     if let Some(preset) = &options.preset
         && Path::new(preset)
@@ -192,16 +198,6 @@ fn resume_line(path: &Path, options: &Run) -> String {
     line
 }
 
-/// A word that a shell takes as it is, quoted if need be.
-fn quoted(text: &str) -> String {
-    let plain = |c: char| c.is_alphanumeric() || "-_./+,:@%".contains(c);
-    if !text.is_empty() && text.chars().all(plain) {
-        text.to_owned()
-    } else {
-        format!("'{}'", text.replace('\'', "'\\''"))
-    }
-}
-
 fn summary(session: &Session, elapsed: Duration) -> String {
     let world = session.world();
     let rows = session.recording().rows().len();
@@ -221,31 +217,15 @@ fn summary(session: &Session, elapsed: Duration) -> String {
             monitor.warnings
         );
     }
-    let commands = session.journal().events.iter();
-    let stages = commands
-        .filter(|event| matches!(event.kind, EventKind::Stage(_)))
-        .count();
-    if stages > 0 {
-        let plural = if stages == 1 { "" } else { "s" };
-        let _ = write!(text, "\n{stages} stage{plural} done");
+    let (done, (_, all)) = (session.stages_done(), session.stage_number());
+    if all > 0 {
+        let of_all = if done < all {
+            format!(" of {all}")
+        } else {
+            String::new()
+        };
+        let plural = if all == 1 { "" } else { "s" };
+        let _ = write!(text, "\n{done}{of_all} stage{plural} done");
     }
     text
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn words_come_through_a_shell_as_they_are() {
-        for (text, expected) in [
-            ("out/run-1.csv", "out/run-1.csv"),
-            ("my run.csv", "'my run.csv'"),
-            ("a'b", "'a'\\''b'"),
-            ("", "''"),
-            ("$HOME", "'$HOME'"),
-        ] {
-            assert_eq!(quoted(text), expected);
-        }
-    }
 }

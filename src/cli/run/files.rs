@@ -6,6 +6,7 @@ use std::time::Duration;
 use super::conclude::home;
 use super::prepare::Prepared;
 use crate::cli::Run;
+use crate::cli::output::tell;
 use crate::record::history::History;
 use crate::session::{Replay, RunError, Session};
 
@@ -112,7 +113,16 @@ impl Files {
                 .transpose()?;
         } else if let Some(csv) = &self.csv {
             if prepared.resumed {
+                let length = || std::fs::metadata(csv).map_or(0, |file| file.len());
+                let before = length();
                 session.go_on_with_history(csv)?;
+                if length() < before && !options.quiet {
+                    let cycle = session.world().cycle_number();
+                    tell(&format!(
+                        "{}: rows after cycle {cycle} are made anew",
+                        csv.display()
+                    ));
+                }
             } else {
                 session.write_history(History::create(csv, &names)?);
             }

@@ -101,6 +101,9 @@ fn one(options: &Run, interrupt: &Interrupt, watch: &mut dyn FnMut(Watched<'_>))
     if options.every.is_some() && files.checkpoint.is_none() {
         tell("--every is without effect: no checkpoint is kept without --checkpoint or --csv FILE");
     }
+    if options.resume.is_some() && !options.quiet {
+        resumed(&prepared, &files);
+    }
     match files.open(&mut prepared, options) {
         Ok(()) => {}
         Err(RunError::Record(RecordError::ClosedPipe { .. })) => return Ran::never(0),
@@ -121,6 +124,22 @@ fn one(options: &Run, interrupt: &Interrupt, watch: &mut dyn FnMut(Watched<'_>))
     Ran {
         status,
         session: Some(session),
+    }
+}
+
+/// What whoever goes on with a run might not expect.
+fn resumed(prepared: &Prepared, files: &Files) {
+    let session = &prepared.session;
+    if !files.stdout && files.csv.is_none() && files.checkpoint.is_none() {
+        tell(
+            "nothing of what follows is kept: --csv FILE.csv keeps rows, journal and state, --checkpoint \
+             FILE the state alone",
+        );
+    }
+    if prepared.replay.is_none() && !session.scene().stages.is_empty() && session.is_finished() {
+        tell(
+            "all stages are done: nothing is left to run; the workbench goes beyond: ballast FILE",
+        );
     }
 }
 
