@@ -4,6 +4,8 @@
     reason = "a test that cannot go on has failed; its panic says where"
 )]
 
+#[path = "terminal/keeping.rs"]
+mod keeping;
 #[path = "terminal/pty.rs"]
 mod pty;
 

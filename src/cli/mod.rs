@@ -69,7 +69,7 @@ struct Cli {
 /// Options of the workbench, which opens when no command is given.
 #[derive(Debug, Args)]
 struct Workbench {
-    /// Preset to open (embedded name or file)
+    /// Preset to open (embedded name or file), or checkpoint to go on from
     preset: Option<String>,
     /// Override a key of the preset
     #[arg(long = "set", value_name = "KEY=VALUE")]

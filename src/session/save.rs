@@ -192,11 +192,17 @@ impl Session {
 
     /// Reads a checkpoint.
     pub fn resume(path: &Path, threads: usize) -> Result<Self, RunError> {
-        Self::revive(
-            checkpoint::read(path)?,
-            &path.display().to_string(),
-            threads,
-        )
+        Self::resume_with(path, |_| threads)
+    }
+
+    /// The same with as many threads as are chosen for so many particles.
+    pub fn resume_with(
+        path: &Path,
+        threads: impl FnOnce(usize) -> usize,
+    ) -> Result<Self, RunError> {
+        let saved: Saved = checkpoint::read(path)?;
+        let threads = threads(saved.world.particles().len());
+        Self::revive(saved, &path.display().to_string(), threads)
     }
 
     fn revive(saved: Saved, name: &str, threads: usize) -> Result<Self, RunError> {

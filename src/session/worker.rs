@@ -5,7 +5,6 @@
 
 use std::io::Write;
 use std::os::unix::net::UnixStream;
-use std::path::PathBuf;
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::JoinHandle;
@@ -15,7 +14,7 @@ use super::frames::{Frame, Shown, Wants};
 use super::pacing::Pacing;
 use super::queue::{Giver, Taker, Urgent, Waiting, channel};
 use super::rate::Rate;
-use super::save_clock::SaveClock;
+use super::saves::Saves;
 use super::turns::Turns;
 use super::{Budget, Progress, Refusal, Reply, Request, RunError, Session};
 use crate::measure::columns::Partner;
@@ -42,7 +41,7 @@ pub enum Order {
     /// At most so many cycles per second; `None`: as fast as possible.
     Pace(Option<f64>),
     /// Another session instead of this one.
-    Replace(Box<Session>, Option<f64>, Option<Keep>),
+    Replace(Box<Session>, Option<f64>, Saves),
     /// A frame even if nothing has changed.
     Refresh,
     /// Save the state and end.
@@ -79,13 +78,12 @@ pub enum Report {
 /// Newest frame, handed over.
 pub type Mailbox = Arc<Mutex<Option<Box<Frame>>>>;
 
-/// Where the state is kept.
-#[derive(Debug, Clone)]
-pub struct Keep {
-    /// Checkpoint.
-    pub checkpoint: PathBuf,
-    /// Journal.
-    pub journal: PathBuf,
+/// What is left when the thread has ended.
+pub struct Stopped {
+    /// The run.
+    pub session: Box<Session>,
+    /// How far it is kept.
+    pub saves: Saves,
 }
 
 /// The screen's end.
@@ -93,14 +91,14 @@ pub struct Worker {
     orders: Giver<Order>,
     reports: Receiver<Report>,
     mailbox: Mailbox,
-    thread: Option<JoinHandle<Box<Session>>>,
+    thread: Option<JoinHandle<Stopped>>,
 }
 
 impl Worker {
     /// Starts the thread. `wake` gets a byte for every report and frame.
     pub fn start(
         session: Session,
-        keep: Option<Keep>,
+        saves: Saves,
         running: bool,
         pace: Option<f64>,
         wake: UnixStream,
@@ -110,7 +108,7 @@ impl Worker {
         let mailbox: Mailbox = Arc::default();
         let desk = Desk {
             session: attentive(Box::new(session), inbox.waiting()),
-            keep,
+            saves,
             inbox,
             outbox,
             mailbox: Arc::clone(&mailbox),
@@ -122,8 +120,6 @@ impl Worker {
             wants: Wants::default(),
             shown: Shown::default(),
             rate: Rate::default(),
-            clock: SaveClock::new(Instant::now()),
-            saved_cycle: None,
             turns: Turns::default(),
             batch: Duration::ZERO,
         };
@@ -161,8 +157,8 @@ impl Worker {
         self.thread.as_ref().is_none_or(JoinHandle::is_finished)
     }
 
-    /// Ends the thread with everything saved; the session, unless it panicked.
-    pub fn stop(mut self) -> Option<Box<Session>> {
+    /// Ends the thread with everything saved that can be.
+    pub fn stop(mut self) -> Option<Stopped> {
         self.order(Order::Stop);
         self.thread.take().and_then(|thread| thread.join().ok())
     }
@@ -177,7 +173,7 @@ fn attentive(mut session: Box<Session>, waiting: Waiting) -> Box<Session> {
 /// The worker's own end.
 struct Desk {
     session: Box<Session>,
-    keep: Option<Keep>,
+    saves: Saves,
     inbox: Taker<Order>,
     outbox: Sender<Report>,
     mailbox: Mailbox,
@@ -191,33 +187,35 @@ struct Desk {
     wants: Wants,
     shown: Shown,
     rate: Rate,
-    clock: SaveClock,
-    saved_cycle: Option<u64>,
     turns: Turns,
     /// How long the last batch took.
     batch: Duration,
 }
 
 impl Desk {
-    fn work(mut self) -> Box<Session> {
+    fn work(mut self) -> Stopped {
         loop {
             // Orders, too, may come upon a fault of the program.
             let turn = std::panic::AssertUnwindSafe(|| self.turn());
             match std::panic::catch_unwind(turn) {
                 Ok(true) => {}
-                Ok(false) => return self.session,
+                Ok(false) => break,
                 Err(panic) => {
                     self.fall(panic.as_ref());
-                    return self.session;
+                    break;
                 }
             }
+        }
+        Stopped {
+            session: self.session,
+            saves: self.saves,
         }
     }
 
     /// Orders, a batch and a frame. False: that was the last one.
     fn turn(&mut self) -> bool {
         if !self.take_orders() {
-            self.close();
+            self.saves.close(&mut self.session);
             return false;
         }
         if self.running && self.pacing.wait(Instant::now()).is_zero() {
@@ -267,17 +265,20 @@ impl Desk {
                 self.pacing = Pacing::new(pace, Instant::now());
                 self.tell(Report::Pace(pace));
             }
-            Order::Replace(session, pace, keep) => {
-                self.close();
-                self.keep = keep;
+            Order::Replace(session, pace, saves) => {
+                self.saves.close(&mut self.session);
+                let lost = [self.saves.fault(), self.saves.unended()];
+                let lost: Vec<String> = lost.into_iter().flatten().map(str::to_owned).collect();
+                for fault in lost {
+                    self.tell(Report::Notice(format!("of the run before: {fault}")));
+                }
+                self.saves = saves;
                 self.running = false;
                 self.session = attentive(session, self.inbox.waiting());
                 self.shown = Shown::default();
                 self.rate = Rate::default();
                 self.pacing = Pacing::new(pace, Instant::now());
                 self.free = false;
-                self.saved_cycle = None;
-                self.begin_journal();
             }
             Order::Refresh => {}
             Order::Stop => return false,
@@ -331,24 +332,19 @@ impl Desk {
         let done = self.session.world().cycle_number() - before;
         self.pacing.made(done, start);
         self.batch = start.elapsed();
-        let now = Instant::now();
-        if self.clock.is_due(now) {
-            if self.save(self.clock.is_late(now)) {
-                self.clock = SaveClock::new(now);
-            } else {
-                self.clock.put_off(Instant::now(), now.elapsed());
-            }
+        let waiting = self.inbox.waiting();
+        let ordered = || waiting.any();
+        let saved = self.saves.save_if_due(&mut self.session, &ordered);
+        if let Err(error) = saved {
+            self.tell(Report::Notice(error.to_string()));
         }
     }
 
     fn fail(&mut self, error: &RunError) {
         self.running = false;
         let mut message = error.to_string();
-        if let Some(keep) = &self.keep {
-            match self.session.way_back(&keep.checkpoint) {
-                Ok(way) => message.extend(way.map(|way| format!("; {way}"))),
-                Err(error) => message.push_str(&format!("; there is no way back: {error}")),
-            }
+        if let Some(way) = self.saves.way_back(&mut self.session) {
+            message.push_str(&format!("; {way}"));
         }
         self.tell(Report::Failed(message));
     }
@@ -359,15 +355,8 @@ impl Desk {
         let mut text = text
             .or_else(|| panic.downcast_ref::<String>().cloned())
             .unwrap_or_default();
-        if let Some(keep) = &self.keep {
-            // The journal is complete in any case; the state at the start of the stage is whole.
-            let kept = [
-                self.session.flush(),
-                self.session.save_safe(&keep.checkpoint).map(drop),
-            ];
-            for error in kept.into_iter().filter_map(Result::err) {
-                text.push_str(&format!("; {error}"));
-            }
+        for error in self.saves.rescue(&mut self.session) {
+            text.push_str(&format!("; {error}"));
         }
         self.tell(Report::Failed(text));
     }
@@ -414,45 +403,5 @@ impl Desk {
         self.changed = false;
         self.turns.taken(start, Instant::now());
         self.knock();
-    }
-
-    fn begin_journal(&mut self) {
-        let Some(keep) = &self.keep else {
-            return;
-        };
-        self.session.write_dumps(&keep.journal);
-        if let Err(error) = self.session.write_journal(&keep.journal) {
-            self.tell(Report::Notice(error.to_string()));
-        }
-    }
-
-    /// Saves the state, then ends the journal: a replay has to know how far the run went.
-    fn close(&mut self) {
-        self.save(true);
-        if let Err(error) = self.session.finish() {
-            self.tell(Report::Notice(error.to_string()));
-        }
-    }
-
-    /// Saves the state beside the journal, if cycles have passed since; false if an order came between,
-    /// which it lets happen unless it is to be done `anyway`.
-    fn save(&mut self, anyway: bool) -> bool {
-        let cycle = self.session.world().cycle_number();
-        let Some(keep) = self.keep.clone() else {
-            return true;
-        };
-        // Half a cycle must not take the place of the good state that is there.
-        if self.saved_cycle == Some(cycle) || cycle == 0 || self.session.world().is_broken() {
-            return true;
-        }
-        let waiting = self.inbox.waiting();
-        let ordered = || !anyway && waiting.any();
-        let saved = self.session.save_unless(&keep.checkpoint, &ordered);
-        match saved.and_then(|saved| saved.then(|| self.session.flush()).transpose()) {
-            Ok(None) => return false,
-            Ok(Some(())) => self.saved_cycle = Some(cycle),
-            Err(error) => self.tell(Report::Notice(error.to_string())),
-        }
-        true
     }
 }

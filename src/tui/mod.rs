@@ -7,6 +7,7 @@
 pub mod app;
 pub mod dots;
 pub mod events;
+pub mod farewell;
 pub mod keys;
 pub mod layout;
 pub mod link;

@@ -4,11 +4,11 @@
 use std::io::Write;
 use std::time::{Duration, Instant};
 
-use super::workbench::{Ended, folder};
+use super::farewell::Ended;
+use crate::record::checkpoint::AT_ONCE;
 use crate::record::interrupt::{Interrupt, Signal};
-use crate::scene::Scene;
-use crate::session::worker::Keep;
-use crate::session::{Budget, Options, Progress, Request, RunError, Session};
+use crate::session::saves::Saves;
+use crate::session::{Budget, Progress, Request, RunError, Session};
 
 /// A line of status comes this often while cycles run.
 const STATUS: Duration = Duration::from_secs(2);
@@ -24,120 +24,137 @@ pub enum Heard {
     End,
 }
 
+/// Why the dialogue ended.
+enum End {
+    /// A command, or the end of the input.
+    Quit,
+    Signal(Signal),
+}
+
 /// Talks until the input ends, a command or a signal ends it; everything is kept in a folder of
 /// its own, as by the workbench.
 pub fn talk(
-    scene: Scene,
-    threads: usize,
+    mut session: Session,
     listen: &mut dyn FnMut() -> Heard,
     output: &mut dyn Write,
-) -> Result<Ended, RunError> {
+) -> Ended {
     let interrupt = Interrupt::install().ok();
-    let caught = || interrupt.as_ref().and_then(Interrupt::caught);
-    let options = Options {
-        threads,
-        ..Options::default()
-    };
-    let mut session = Session::open(scene, options)?;
-    let keep = folder(&session.scene().name);
-    if let Some(keep) = &keep {
-        session.write_journal(&keep.journal)?;
-        session.write_dumps(&keep.journal);
-    }
-    let title = &session.scene().about.title;
-    say(output, &format!("{}: {title}", session.scene().name));
-    say(
+    let saves = Saves::begin(&mut session);
+    let mut dialogue = Dialogue {
+        session,
+        saves,
         output,
-        "type a command; help lists them, go runs, quit ends",
-    );
-    loop {
-        if let Some(signal) = caught() {
-            return close(&mut session, keep.as_ref(), Some(signal));
+    };
+    let caught = || interrupt.as_ref().and_then(Interrupt::caught);
+    // Lines and cycles alike may come upon a fault of the program.
+    let whole = std::panic::AssertUnwindSafe(|| dialogue.hold(listen, &caught));
+    let (why, status) = match std::panic::catch_unwind(whole) {
+        Ok(end) => {
+            dialogue.saves.close(&mut dialogue.session);
+            match end {
+                // Nothing is lost, so nothing has to be asked.
+                End::Quit => (String::new(), 0),
+                End::Signal(signal) => (format!("{}\n", signal.name), signal.exit_status()),
+            }
         }
-        let line = match listen() {
-            Heard::Line(line) => line,
-            Heard::Nothing => continue,
-            Heard::End => return close(&mut session, keep.as_ref(), None),
-        };
-        let text = line.trim();
-        if text.is_empty() || text.starts_with('#') {
-            continue;
+        Err(_) => {
+            let lost = dialogue.saves.rescue(&mut dialogue.session);
+            let lost = lost.iter().map(|error| format!("; {error}"));
+            (format!("internal error{}\n", lost.collect::<String>()), 1)
         }
-        let reply = match session.type_line(text) {
-            Ok(reply) => reply,
-            Err(refusal) => {
-                say(output, &format!("! {refusal}"));
+    };
+    Ended::of(&why, &dialogue.session, &dialogue.saves, status)
+}
+
+struct Dialogue<'a> {
+    session: Session,
+    saves: Saves,
+    output: &'a mut dyn Write,
+}
+
+impl Dialogue<'_> {
+    fn hold(
+        &mut self,
+        listen: &mut dyn FnMut() -> Heard,
+        caught: &dyn Fn() -> Option<Signal>,
+    ) -> End {
+        let scene = self.session.scene();
+        let title = format!("{}: {}", scene.name, scene.about.title);
+        self.say(&title);
+        if let Some(warning) = self.saves.warning() {
+            self.say(&warning);
+        }
+        // A run that goes on.
+        if self.session.world().cycle_number() > 0 {
+            self.say(&status(&self.session));
+        }
+        self.say("type a command; help lists them, go runs, quit ends");
+        loop {
+            if let Some(signal) = caught() {
+                return End::Signal(signal);
+            }
+            let line = match listen() {
+                Heard::Line(line) => line,
+                Heard::Nothing => continue,
+                Heard::End => return End::Quit,
+            };
+            let text = line.trim();
+            if text.is_empty() || text.starts_with('#') {
                 continue;
             }
-        };
-        reply.lines.iter().for_each(|line| say(output, line));
-        match reply.request {
-            Some(Request::Quit { .. }) => return close(&mut session, keep.as_ref(), None),
-            Some(Request::Run) => {
-                if let Err(error) = run(&mut session, output, &|| caught().is_some()) {
-                    say(output, &format!("! {error}"));
-                    let way = keep.as_ref().map(|keep| session.way_back(&keep.checkpoint));
-                    if let Some(way) = way.transpose()?.flatten() {
-                        say(output, &way);
+            let reply = match self.session.type_line(text) {
+                Ok(reply) => reply,
+                Err(refusal) => {
+                    self.say(&format!("! {refusal}"));
+                    continue;
+                }
+            };
+            reply.lines.iter().for_each(|line| self.say(line));
+            match reply.request {
+                Some(Request::Quit { .. }) => return End::Quit,
+                Some(Request::Run) => {
+                    if let Err(error) = self.run(&|| caught().is_some()) {
+                        self.say(&format!("! {error}"));
+                        if let Some(way) = self.saves.way_back(&mut self.session) {
+                            self.say(&way);
+                        }
                     }
                 }
+                Some(Request::Pause) | None => {}
             }
-            Some(Request::Pause) | None => {}
         }
     }
-}
 
-/// Saves what there is and says where; nothing is lost, so nothing has to be asked.
-fn close(
-    session: &mut Session,
-    keep: Option<&Keep>,
-    signal: Option<Signal>,
-) -> Result<Ended, RunError> {
-    session.flush()?;
-    let cycle = session.world().cycle_number();
-    let mut farewell = signal.map_or_else(String::new, |signal| format!("{}\n", signal.name));
-    farewell.push_str(&format!("cycle {cycle}"));
-    if let Some(keep) = keep {
-        farewell.push_str(&format!("; journal {}", keep.journal.display()));
-        // Half a cycle must not take the place of the good state that is there.
-        if cycle > 0 && !session.world().is_broken() {
-            session.save(&keep.checkpoint)?;
+    fn run(&mut self, stop: &dyn Fn() -> bool) -> Result<(), RunError> {
+        let mut last = Instant::now();
+        let budget = Budget {
+            until_cycle: None,
+            time: Some(Duration::from_millis(50)),
+        };
+        while self.session.advance(budget, false)? == Progress::Budget {
+            if stop() {
+                break;
+            }
+            // Nobody can type while cycles run: nothing is more urgent.
+            if let Err(error) = self.saves.save_if_due(&mut self.session, AT_ONCE) {
+                self.say(&format!("! {error}"));
+            }
+            if last.elapsed() >= STATUS {
+                last = Instant::now();
+                self.say(&status(&self.session));
+            }
         }
-        if keep.checkpoint.exists() {
-            let path = keep.checkpoint.display();
-            farewell.push_str(&format!("\ngo on with: ballast run --resume {path}"));
+        for notice in self.session.take_notices() {
+            self.say(&notice);
         }
+        self.say(&status(&self.session));
+        Ok(())
     }
-    let status = signal.map_or(0, Signal::exit_status);
-    // After the checkpoint, which goes on as if nothing had ended; a replay stops here.
-    session.finish()?;
-    Ok(Ended { status, farewell })
-}
 
-fn run(
-    session: &mut Session,
-    output: &mut dyn Write,
-    stop: &dyn Fn() -> bool,
-) -> Result<(), RunError> {
-    let mut last = Instant::now();
-    let budget = Budget {
-        until_cycle: None,
-        time: Some(Duration::from_millis(50)),
-    };
-    while session.advance(budget, false)? == Progress::Budget {
-        if stop() {
-            break;
-        }
-        if last.elapsed() >= STATUS {
-            last = Instant::now();
-            say(output, &status(session));
-        }
+    /// A reader that has gone needs no more lines.
+    fn say(&mut self, text: &str) {
+        drop(writeln!(self.output, "{text}").and_then(|()| self.output.flush()));
     }
-    for notice in session.take_notices() {
-        say(output, &notice);
-    }
-    say(output, &status(session));
-    Ok(())
 }
 
 fn status(session: &Session) -> String {
@@ -150,9 +167,4 @@ fn status(session: &Session) -> String {
     };
     let (cycle, time) = (world.cycle_number(), world.time());
     format!("{place}cycle {cycle}, time {time:.6e} s")
-}
-
-/// A reader that has gone needs no more lines.
-fn say(output: &mut dyn Write, text: &str) {
-    drop(writeln!(output, "{text}").and_then(|()| output.flush()));
 }

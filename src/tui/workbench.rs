@@ -1,7 +1,6 @@
 //! The loop of the workbench: keys in, orders out, frames drawn.
 
 use std::os::unix::net::UnixStream;
-use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use crossterm::event::{self, Event, KeyEventKind};
@@ -9,6 +8,7 @@ use ratatui::buffer::Buffer;
 
 use super::app::{App, Effect, Said};
 use super::events::{JobControl, wait};
+use super::farewell::Ended;
 use super::link::{Line, Link};
 use super::look;
 use super::painter::Painter;
@@ -16,8 +16,9 @@ use super::terminal::Terminal;
 use crate::record::interrupt::{Interrupt, Signal};
 use crate::scene::Scene;
 use crate::session::frames::Wants;
+use crate::session::saves::Saves;
 use crate::session::start::is_ready;
-use crate::session::worker::{Keep, Order, Worker};
+use crate::session::worker::{Order, Stopped, Worker};
 use crate::session::{Options, RunError, Session};
 
 /// How the workbench is started.
@@ -33,17 +34,6 @@ pub struct Start {
     pub pace: Option<f64>,
     /// Threads.
     pub threads: usize,
-    /// For tests: panic in the worker at this cycle.
-    pub panic_at: Option<u64>,
-}
-
-/// How it ended.
-#[derive(Debug)]
-pub struct Ended {
-    /// Exit status.
-    pub status: u8,
-    /// What to say after the terminal is given back.
-    pub farewell: String,
 }
 
 /// Nothing to do: look around this often.
@@ -55,7 +45,6 @@ struct Workbench {
     terminal: Terminal,
     painter: Painter,
     wake: UnixStream,
-    keep: Option<Keep>,
     threads: usize,
     /// A key was pressed: draw now, on credit.
     urgent: bool,
@@ -65,23 +54,11 @@ struct Workbench {
     wants: Option<Wants>,
 }
 
-/// Runs a workbench on a scene.
-pub fn run(scene: Scene, start: &Start) -> Result<Ended, RunError> {
+/// Runs a workbench on a session, which may have begun long ago.
+pub fn run(mut session: Session, start: &Start) -> Result<Ended, RunError> {
     let interrupt = Interrupt::install().map_err(cannot("catch signals"))?;
     let jobs = JobControl::install().map_err(cannot("catch signals"))?;
-    let mut session = Session::open(
-        scene,
-        Options {
-            threads: start.threads,
-            ..Options::default()
-        },
-    )?;
-    session.panic_at(start.panic_at);
-    let keep = folder(&session.scene().name);
-    if let Some(keep) = &keep {
-        session.write_journal(&keep.journal)?;
-        session.write_dumps(&keep.journal);
-    }
+    let saves = Saves::begin(&mut session);
     let pace = match start.pace {
         Some(pace) => (pace > 0.0).then_some(pace),
         None => session.scene().about.pace,
@@ -96,24 +73,22 @@ pub fn run(scene: Scene, start: &Start) -> Result<Ended, RunError> {
     line.budget = start.kbps.map(|kbps| 1000.0 * kbps).or(line.budget);
     let mut app = App::new(look::from_environment(get), Link::new(line));
     app.pace = pace;
-    if let Some(keep) = &keep {
-        app.folder = keep
-            .journal
-            .parent()
-            .map(|p| p.display().to_string())
-            .unwrap_or_default();
-    }
+    app.folder = folder(&saves);
+    let begun = session.world().cycle_number();
+    let goes_on = (begun > 0).then(|| format!("goes on from cycle {begun}"));
     let welcome = [
         session.scene().about.shows.clone(),
         session.scene().about.look.clone(),
+        goes_on.unwrap_or_default(),
         "space pauses, : types a command, ? helps, q quits".to_owned(),
     ];
     welcome
         .into_iter()
+        .chain(saves.warning())
         .filter(|text| !text.is_empty())
         .for_each(|text| app.say(Said::Notice(text)));
     let terminal = Terminal::take().map_err(cannot("take the terminal over"))?;
-    let worker = Worker::start(session, keep.clone(), !start.paused, pace, knock)
+    let worker = Worker::start(session, saves, !start.paused, pace, knock)
         .map_err(cannot("start a thread"))?;
     let mut bench = Workbench {
         app,
@@ -121,7 +96,6 @@ pub fn run(scene: Scene, start: &Start) -> Result<Ended, RunError> {
         terminal,
         painter: Painter::default(),
         wake,
-        keep,
         threads: start.threads,
         urgent: true,
         eager: 0,
@@ -310,14 +284,17 @@ impl Workbench {
                     .map_err(|e| e.to_string())
             });
         match opened {
-            Ok((session, pace)) => {
+            Ok((mut session, pace)) => {
                 let look = session.scene().about.look.clone();
                 self.app.pace = pace;
-                self.keep = folder(name);
+                let saves = Saves::begin(&mut session);
+                self.app.folder = folder(&saves);
+                let warning = saves.warning();
                 self.worker
-                    .order(Order::Replace(Box::new(session), pace, self.keep.clone()));
+                    .order(Order::Replace(Box::new(session), pace, saves));
                 self.worker.order(Order::Go);
-                self.app.say(Said::Notice(format!("{name}: {look}")));
+                let said = [format!("{name}: {look}")].into_iter().chain(warning);
+                said.for_each(|text| self.app.say(Said::Notice(text)));
             }
             Err(error) => self.app.say(Said::Error(error)),
         }
@@ -342,17 +319,12 @@ impl Workbench {
         let Self {
             worker,
             terminal,
-            keep,
             app,
             ..
         } = self;
-        let session = worker.stop();
+        let stopped = worker.stop();
         drop(terminal);
-        let cycle = session
-            .as_ref()
-            .map(|session| session.world().cycle_number());
-        let saved = keep.as_ref().filter(|keep| keep.checkpoint.exists());
-        let mut farewell = match end {
+        let why = match end {
             End::Quit => String::new(),
             End::Gone => "the terminal is gone\n".to_owned(),
             End::Signal(signal) => format!("{}\n", signal.name),
@@ -362,18 +334,6 @@ impl Workbench {
             ),
             End::Terminal(error) => format!("the terminal failed: {error}\n"),
         };
-        if let Some(cycle) = cycle {
-            farewell.push_str(&format!("cycle {cycle}"));
-        }
-        if let Some(keep) = &keep {
-            farewell.push_str(&format!("; journal {}", keep.journal.display()));
-        }
-        if let Some(keep) = saved {
-            farewell.push_str(&format!(
-                "\ngo on with: ballast run --resume {}",
-                keep.checkpoint.display()
-            ));
-        }
         let status = match end {
             End::Quit => 0,
             // Writing to a terminal that has gone fails before the poll tells.
@@ -381,25 +341,18 @@ impl Workbench {
             End::Signal(signal) => signal.exit_status(),
             End::WorkerDied => 1,
         };
-        Ended { status, farewell }
+        match stopped {
+            Some(Stopped { session, saves }) => Ended::of(&why, &session, &saves, status),
+            None => Ended {
+                status,
+                farewell: why,
+            },
+        }
     }
 }
 
-/// A folder of its own for each run, under the state folder of the user; `None` where there is no
-/// place for it.
-pub(super) fn folder(name: &str) -> Option<Keep> {
-    let base = std::env::var_os("XDG_STATE_HOME")
-        .map(PathBuf::from)
-        .filter(|path| path.is_absolute())
-        .or_else(|| std::env::var_os("HOME").map(|home| Path::new(&home).join(".local/state")))?;
-    let now = std::time::SystemTime::now()
-        .duration_since(std::time::UNIX_EPOCH)
-        .ok()?;
-    let unique = format!("{name}-{}-{}", now.as_millis(), std::process::id());
-    let folder = base.join("ballast").join("runs").join(unique);
-    std::fs::create_dir_all(&folder).ok()?;
-    Some(Keep {
-        checkpoint: folder.join("run.ballast"),
-        journal: folder.join("run.journal"),
-    })
+/// The folder of a run, for who asks for help.
+fn folder(saves: &Saves) -> String {
+    let folder = saves.keep().and_then(|keep| keep.journal.parent());
+    folder.map_or_else(String::new, |folder| folder.display().to_string())
 }
