@@ -173,8 +173,8 @@ struct Run {
         value, n - 1), minimum and maximum of every column over the seeds, row by row: cycle, time \
         (means), stage, row (from 0 in each stage), n (seeds that have this row), then COLUMN:mean, \
         COLUMN:sd, COLUMN:min, COLUMN:max. Where a stage ends later in some seeds, its last rows are \
-        those of these seeds alone. A value that is nan does not count. A seed whose run failed keeps \
-        its own files and is left out of FILE.csv. --csv - prints FILE.csv and writes no other file."
+        those of these seeds alone. A value that is nan does not count. A seed whose run failed or \
+        was stopped keeps its own files and is left out of FILE.csv. --csv - prints FILE.csv and writes no other file."
     )]
     seeds: Option<Seeds>,
     /// Number of threads; the result does not depend on it [default: as many as suit the scene's

@@ -216,7 +216,7 @@ fn names_with_blanks_come_back_quoted() {
 }
 
 #[test]
-fn an_ensemble_saves_every_run_and_what_they_have_in_common() {
+fn an_interrupted_ensemble_saves_every_run_and_counts_none() {
     let folder = tempfile::tempdir().expect("a folder");
     let folder = folder.path();
     run(
@@ -227,10 +227,17 @@ fn an_ensemble_saves_every_run_and_what_they_have_in_common() {
     let output = interrupted(folder, &words, "TERM", "x-seed1.csv");
     let message = said(&output);
     assert_eq!(output.status.code(), Some(143), "{message}");
-    for hint in ["seed 1: SIGTERM", "seed 2: SIGTERM", "not begun: 3"] {
+    for hint in [
+        "seed 1: SIGTERM",
+        "seed 2: SIGTERM",
+        "0 of 3 runs counted",
+        "stopped: 1, 2",
+        "not begun: 3",
+    ] {
         assert!(message.contains(hint), "no `{hint}` in {message}");
     }
-    assert!(text(folder, "x.csv").starts_with("cycle,time,stage,row,n,"));
+    assert!(!folder.join("x.csv").exists(), "no means of nothing");
+    assert!(!message.contains("nothing in this preset is random"));
     let line = message
         .lines()
         .find(|line| line.contains("x-seed1.ballast"));

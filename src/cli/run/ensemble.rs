@@ -18,8 +18,11 @@ use crate::study::ensemble::{each, table::table};
 
 /// What is left of a run.
 enum Member {
-    /// It has rows to tell of: it came to its end, or as far as a signal let it.
+    /// It came to its end and has rows to tell of.
     Told(Recording),
+    /// A signal came before its end. Means of rows that only some seeds reached would look like those of
+    /// all.
+    Stopped,
     /// It failed and said why.
     Failed,
     /// A signal came before it began.
@@ -133,11 +136,12 @@ fn file(options: &Run) -> Option<&Path> {
 }
 
 fn told(ran: Ran, signal: Option<Signal>) -> Member {
-    let ended = ran.status == 0 || signal.is_some_and(|s| s.exit_status() == ran.status);
+    let stopped = signal.is_some_and(|signal| signal.exit_status() == ran.status);
     match ran.session {
-        Some(session) if ended => Member::Told(session.into_recording()),
+        Some(session) if ran.status == 0 => Member::Told(session.into_recording()),
+        Some(_) if stopped => Member::Stopped,
         // Its sample was still being prepared.
-        None if ended && ran.status != 0 => Member::Skipped,
+        None if stopped => Member::Skipped,
         _ => Member::Failed,
     }
 }
@@ -169,7 +173,7 @@ fn write(options: &Run, scene: &Scene, members: &[Member]) -> u8 {
 fn recordings(members: &[Member]) -> Vec<&Recording> {
     let told = members.iter().filter_map(|run| match run {
         Member::Told(recording) => Some(recording),
-        Member::Failed | Member::Skipped => None,
+        Member::Stopped | Member::Failed | Member::Skipped => None,
     });
     told.collect()
 }
@@ -189,6 +193,7 @@ fn summary(options: &Run, seeds: Seeds, all: &[u64], members: &[Member], seconds
     };
     for (what, names) in [
         ("failed", named(|run| matches!(run, Member::Failed))),
+        ("stopped", named(|run| matches!(run, Member::Stopped))),
         ("not begun", named(|run| matches!(run, Member::Skipped))),
     ] {
         if !names.is_empty() {
@@ -205,6 +210,9 @@ fn summary(options: &Run, seeds: Seeds, all: &[u64], members: &[Member], seconds
                 .to_string()
                 .replace(&format!("-seed{}.", all[0]), "-seedK.")
         );
+    }
+    if let Some(csv) = file(options).filter(|csv| runs.is_empty() && csv.exists()) {
+        text += &format!("\n{} is left as it was", csv.display());
     }
     if runs.len() > 1 && runs.iter().all(|run| run.rows() == runs[0].rows()) {
         text += "\nall seeds gave the same rows: nothing in this preset is random";
