@@ -56,6 +56,13 @@ pub struct Run {
     pub on_front: bool,
 }
 
+impl Run {
+    /// Whether it was begun before the study was ended.
+    pub fn was_run(&self) -> bool {
+        self.stability != Stability::NotRun
+    }
+}
+
 impl Outcome {
     /// Carries a plan out. `listen` hears of every batch; false ends the study early with what it
     /// has. Only a run that cannot even be set up fails it.
@@ -244,9 +251,7 @@ fn run(name: String, timing: Timing, trace: Option<&Trace>, replies: &[Replies],
         particle_steps: rate(number(|trace| trace.particles as f64)),
         contact_updates: rate(number(|trace| trace.contacts)),
         frac_limit: number(|trace| trace.frac_limit),
-        stability: trace.map_or(Stability::Failed("it was not run".into()), |trace| {
-            trace.stability.clone()
-        }),
+        stability: trace.map_or(Stability::NotRun, |trace| trace.stability.clone()),
         energy_error: number(|trace| trace.energy_error),
         // One that is not known makes the whole unknown.
         error: errors.fold(0.0, |most: f64, error| {

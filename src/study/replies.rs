@@ -33,7 +33,7 @@ impl Replies {
             .iter()
             .enumerate()
             .map(|(k, trace)| match trace {
-                None => Judgement::none("it was not run"),
+                None => Judgement::none("not run"),
                 Some(trace) => {
                     let judgement = judge(asked, trace, reference);
                     if k == plan.reference && !asked.is_known() && judgement.why.is_empty() {

@@ -29,6 +29,8 @@ pub enum Stability {
     Gained(String),
     /// It ended in a fault: which.
     Failed(String),
+    /// Nobody knows: the study was ended before.
+    NotRun,
 }
 
 impl Stability {
@@ -42,6 +44,7 @@ impl Stability {
         match self {
             Self::Stable => "",
             Self::Gained(what) | Self::Failed(what) => what,
+            Self::NotRun => "not run",
         }
     }
 }

@@ -5,6 +5,7 @@ mod closed_forms;
 mod files;
 #[path = "../program/heeding.rs"]
 mod heeding;
+mod interruption;
 mod limits;
 #[path = "../program/mod.rs"]
 mod program;

@@ -2,11 +2,8 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Stdio};
-use std::time::{Duration, Instant};
 
 use super::Bounce;
-use super::heeding::heeding_signals;
 use super::program::{ballast, said};
 
 fn names(folder: &Path) -> Vec<String> {
@@ -207,36 +204,4 @@ fn a_reference_that_fails_fails_the_study() {
     assert_eq!(output.status.code(), Some(1), "{}", said(&output));
     let table = String::from_utf8_lossy(&output.stdout).into_owned();
     assert!(table.contains("was not finished"), "{table}");
-}
-
-#[test]
-fn an_interrupted_study_keeps_what_it_has() {
-    let folder = tempfile::tempdir().expect("a folder");
-    // The coarse variants take milliseconds, the finest an hour; the reference comes first.
-    let line = "square-lattice --frac 0.00001,0.1,0.2 --reference 0.2 --for kinetic";
-    let child = heeding_signals()
-        .args(words(line))
-        .current_dir(folder.path())
-        .stdin(Stdio::null())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("the program starts");
-    let begun = Instant::now();
-    std::thread::sleep(Duration::from_secs(2));
-    let kill = format!("kill -INT {}", child.id());
-    let done = Command::new("sh").args(["-c", &kill]).status();
-    assert!(done.expect("there is a shell").success());
-    let output = child.wait_with_output().expect("it ends");
-    assert!(begun.elapsed() < Duration::from_secs(30));
-    assert_eq!(output.status.code(), Some(130), "{}", said(&output));
-    let table = String::from_utf8_lossy(&output.stdout).into_owned();
-    assert!(table.contains("the run was not finished"), "{table}");
-    let csv = fs::read_to_string(folder.path().join("square-lattice-study.csv"));
-    let csv = csv.expect("the file is written");
-    let row = csv.lines().nth(2).expect("three variants");
-    assert!(
-        row.starts_with("linear@0.1,") && row.contains(",stable,"),
-        "{row}"
-    );
 }

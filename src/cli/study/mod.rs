@@ -35,8 +35,8 @@ pub(super) fn study(options: &Study) -> u8 {
         return limits::limits(options, &scene, &interrupt);
     }
     let stem = stem(options, &scene);
-    let [csv, svg] = ["csv", "svg"].map(|ending| with_ending(&stem, ending));
-    for path in [&csv, &svg] {
+    let mut files = files(&stem);
+    for path in &files {
         if let Err(error) = whole_file::probe(path) {
             complain(&error.to_string());
             return FAILED;
@@ -63,9 +63,14 @@ pub(super) fn study(options: &Study) -> u8 {
     let signal = interrupt.caught();
     if let Some(signal) = signal {
         tell(&format!("{}: what was not run is left out", signal.name));
+        // A whole study is worth more than a part of one.
+        if files.iter().any(|path| path.exists()) {
+            files = self::files(&with_more(&stem, "-partial"));
+        }
     }
     let printed = print(&report::report(&outcome));
-    let written = write(&outcome, &csv, &svg, options.quiet);
+    let [csv, svg] = &files;
+    let written = write(&outcome, csv, svg, options.quiet);
     match signal {
         Some(signal) => signal.exit_status(),
         None if printed != 0 => printed,
@@ -110,11 +115,15 @@ fn stem(options: &Study, scene: &Scene) -> PathBuf {
     }
 }
 
+/// Table and picture.
+fn files(stem: &Path) -> [PathBuf; 2] {
+    [".csv", ".svg"].map(|ending| with_more(stem, ending))
+}
+
 /// Names may hold full stops: `sphere-0.3` is no `sphere-0` with an ending.
-fn with_ending(stem: &Path, ending: &str) -> PathBuf {
+fn with_more(stem: &Path, more: &str) -> PathBuf {
     let mut name = stem.as_os_str().to_owned();
-    name.push(".");
-    name.push(ending);
+    name.push(more);
     PathBuf::from(name)
 }
 

@@ -28,11 +28,16 @@ pub(super) fn report(outcome: &Outcome) -> String {
         text.push('\n');
         question(&mut text, outcome, asked, replies);
     }
-    if !outcome.notes.is_empty() {
+    let left_out = outcome.runs.iter().filter(|run| !run.was_run()).count();
+    if left_out > 0 || !outcome.notes.is_empty() {
         text.push('\n');
     }
-    for note in &outcome.notes {
+    if left_out > 0 {
+        let all = outcome.runs.len();
         // A String takes every line.
+        let _ = writeln!(text, "note: {left_out} of {all} variants not run");
+    }
+    for note in &outcome.notes {
         let _ = writeln!(text, "note: {note}");
     }
     text
@@ -41,6 +46,7 @@ pub(super) fn report(outcome: &Outcome) -> String {
 /// What tells the variants apart: law, swept keys, FRAC.
 struct Labels<'a> {
     plan: &'a Plan,
+    runs: &'a [Run],
 }
 
 impl Labels<'_> {
@@ -68,11 +74,13 @@ impl Labels<'_> {
         self.head().len() - 1
     }
 
-    /// A table with these labels in front; the cells of a row beyond the head follow as they are.
+    /// A table with these labels in front; the cells of a row beyond the head follow as they are. What
+    /// was not run has no row: there may be hundreds.
     fn table(&self, text: &mut String, indent: &str, head: &[&str], rows: Vec<Vec<String>>) {
         let mut all = vec![self.head()];
         all[0].extend(head.iter().map(|cell| (*cell).to_owned()));
-        for (k, row) in rows.into_iter().enumerate() {
+        let rows = rows.into_iter().enumerate();
+        for (k, row) in rows.filter(|(k, _)| self.runs[*k].was_run()) {
             let mut cells = self.of(k);
             cells.extend(row);
             all.push(cells);
@@ -115,6 +123,7 @@ fn runs(text: &mut String, outcome: &Outcome) {
     });
     let labels = Labels {
         plan: &outcome.plan,
+        runs: &outcome.runs,
     };
     labels.table(text, "", &head, rows.collect());
 }
@@ -124,6 +133,7 @@ fn row(run: &Run) -> Vec<String> {
         Stability::Stable => "yes",
         Stability::Gained(_) => "no",
         Stability::Failed(_) => "failed",
+        Stability::NotRun => "not run",
     };
     vec![
         run.cycles.to_string(),
@@ -221,6 +231,7 @@ fn question(text: &mut String, outcome: &Outcome, asked: &Asked, replies: &Repli
     });
     let labels = Labels {
         plan: &outcome.plan,
+        runs: &outcome.runs,
     };
     labels.table(text, "  ", &head, rows.collect());
 }
