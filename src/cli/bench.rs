@@ -37,6 +37,14 @@ pub(super) fn bench(options: &Bench) -> u8 {
         complain(&refusal.to_string());
         return BAD_INPUT;
     }
+    let file = options.csv.as_deref();
+    if let Some(Err(error)) = file
+        .filter(|path| path.as_os_str() != "-")
+        .map(whole_file::probe)
+    {
+        complain(&error.to_string());
+        return FAILED;
+    }
     let length = options
         .cycles
         .map_or(Length::Seconds(options.seconds), Length::Cycles);

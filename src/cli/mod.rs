@@ -9,8 +9,10 @@ mod bench;
 mod check;
 mod crowd;
 mod export;
+mod instructions;
 mod large_pages;
 mod lists;
+mod misspelt;
 mod output;
 mod pages;
 mod placed;
@@ -20,6 +22,7 @@ mod recorded;
 mod run;
 mod sample;
 mod study;
+mod values;
 mod verify;
 mod workbench;
 
@@ -31,6 +34,7 @@ use crate::language::command::PictureOf;
 use crate::scene::Seeds;
 use crate::session::Place;
 use clap::{Args, CommandFactory, Parser, Subcommand};
+use values::{cycles, pace, positive, seconds, some_cycles, threads};
 
 pub use large_pages::LargePages;
 
@@ -55,14 +59,8 @@ struct Cli {
     #[command(flatten)]
     workbench: Workbench,
     /// Vector instructions: baseline, avx2 or avx512; the widest there are if not given. Results do
-    /// not depend on it
-    #[arg(
-        long,
-        value_name = "NAME",
-        global = true,
-        env = "BALLAST_ISA",
-        hide_env_values = true
-    )]
+    /// not depend on it. The variable BALLAST_ISA says the same
+    #[arg(long, value_name = "NAME", global = true)]
     isa: Option<Isa>,
 }
 
@@ -78,19 +76,19 @@ struct Workbench {
     #[arg(long)]
     paused: bool,
     /// Frames per second at most
-    #[arg(long, value_name = "N", value_parser = positive)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = positive)]
     fps: Option<f64>,
     /// Kilobytes per second at most
-    #[arg(long, value_name = "N", value_parser = positive)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = positive)]
     kbps: Option<f64>,
     /// Cycles per second at first; 0: as many as possible
-    #[arg(long, value_name = "N", value_parser = pace)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = pace)]
     pace: Option<f64>,
     /// Teletype dialogue: no cursor, no colours
     #[arg(long)]
     plain: bool,
     /// Number of threads [default: as many as suit the scene's size, one processor left to the screen]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=64))]
+    #[arg(long, value_name = "N", value_parser = threads())]
     threads: Option<u16>,
     /// For tests: panic at this cycle
     #[arg(long, value_name = "CYCLE", hide = true)]
@@ -179,16 +177,16 @@ struct Run {
     seeds: Option<Seeds>,
     /// Number of threads; the result does not depend on it [default: as many as suit the scene's
     /// size; with --seeds as many as there are processors]
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=64))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = threads())]
     threads: Option<u16>,
     /// Stop at this cycle
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = cycles)]
     cycles: Option<u64>,
     /// Keep the last checkpoint in this file
     #[arg(long, value_name = "FILE")]
     checkpoint: Option<PathBuf>,
-    /// Write the checkpoint every so many seconds
-    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true, value_parser = positive)]
+    /// Write the checkpoint every so many seconds [default: 60]
+    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true, value_parser = seconds)]
     every: Option<f64>,
     /// Go on from a checkpoint
     #[arg(long, value_name = "FILE")]
@@ -255,7 +253,7 @@ struct Study {
     #[arg(long = "set", value_name = "KEY=VALUE")]
     set: Vec<String>,
     /// Number of threads
-    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=64))]
+    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true, value_parser = threads())]
     threads: u16,
     /// No progress and no messages
     #[arg(long, short)]
@@ -320,10 +318,10 @@ struct Bench {
     #[arg(long)]
     list: bool,
     /// Run each so long [s]
-    #[arg(long, value_name = "SECONDS", default_value_t = 2.0, allow_negative_numbers = true, value_parser = positive)]
+    #[arg(long, value_name = "SECONDS", default_value_t = 2.0, allow_negative_numbers = true, value_parser = seconds)]
     seconds: f64,
     /// Run each so many cycles instead
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = some_cycles)]
     cycles: Option<u64>,
     /// Start the clock at this stage, its commands issued, or so many cycles into it
     #[arg(long, value_name = "STAGE[/CYCLES]", value_parser = Place::parse)]
@@ -335,7 +333,7 @@ struct Bench {
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
     /// Number of threads
-    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=64))]
+    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true, value_parser = threads())]
     threads: u16,
     /// No progress and no messages
     #[arg(long, short)]
@@ -376,7 +374,7 @@ struct Lammps {
     #[arg(long = "set", value_name = "KEY=VALUE")]
     set: Vec<String>,
     /// Number of threads
-    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=64))]
+    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true, value_parser = threads())]
     threads: u16,
     /// No progress and no messages
     #[arg(long, short)]
@@ -409,28 +407,19 @@ struct Verify {
     #[arg(long = "set", value_name = "KEY=VALUE")]
     set: Vec<String>,
     /// Number of threads
-    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=64))]
+    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true, value_parser = threads())]
     threads: u16,
-}
-
-fn positive(text: &str) -> Result<f64, String> {
-    // Above this a Duration cannot hold it; some thousand years mean never just as well.
-    const LONGEST: f64 = 1e11;
-    match text.parse::<f64>() {
-        Ok(seconds) if seconds > 0.0 => Ok(seconds.min(LONGEST)),
-        _ => Err("a number above 0 is expected".into()),
-    }
-}
-
-fn pace(text: &str) -> Result<f64, String> {
-    let number = text.parse::<f64>().ok();
-    let fits = |pace: &f64| *pace >= 0.0 && pace.is_finite();
-    (number.filter(fits)).ok_or_else(|| "cycles per second are expected, or 0".into())
 }
 
 /// Runs the program.
 pub fn main() -> ExitCode {
-    let cli = match Cli::try_parse() {
+    let cli = Cli::try_parse();
+    let words = std::env::args_os().skip(1);
+    if let Some(advice) = misspelt::advice(&cli, words) {
+        output::complain(&advice);
+        return ExitCode::from(BAD_INPUT);
+    }
+    let cli = match cli {
         Ok(cli) => cli,
         Err(error) => {
             let status = if error.use_stderr() { BAD_INPUT } else { 0 };
@@ -439,8 +428,9 @@ pub fn main() -> ExitCode {
             return ExitCode::from(status);
         }
     };
-    if let Some(isa) = cli.isa {
-        isa.choose();
+    if let Err(refusal) = instructions::choose(&cli) {
+        output::complain(&refusal);
+        return ExitCode::from(BAD_INPUT);
     }
     let status = match cli.command {
         None => workbench::open(&cli.workbench),

@@ -18,6 +18,7 @@ mod resumption_told;
 mod scenes;
 mod start;
 mod usage;
+mod words;
 
 use std::fs;
 use std::path::Path;

@@ -19,7 +19,12 @@ fn wrong_usage_exits_2_and_leaves_no_file() {
         ("nine-disc-compression --every nan", "above 0"),
         ("nine-disc-compression --every soon", "above 0"),
         ("nine-disc-compression --cycles -5", "--cycles"),
-        ("nine-disc-compression --cycles 1e3", "--cycles"),
+        (
+            "nine-disc-compression --cycles 1.5",
+            "whole number of cycles",
+        ),
+        ("nine-disc-compression --every inf", "above 0"),
+        ("nine-disc-compression --set frac=0.1", "`model.frac`"),
         ("nine-disc-compression --seed x", "--seed"),
         ("nine-disc-compression --checkpont x", "--checkpoint"),
         ("nine-disc-compression --csv", "--csv"),
@@ -40,6 +45,9 @@ fn a_run_ends_at_the_cycle_it_is_told() {
     let preset = "nine-disc-compression --set history.every=7";
     let whole = String::from_utf8(run(folder, &format!("{preset} --csv -")).stdout);
     let whole = whole.expect("it is text");
+    let exponent = run(folder, &format!("{preset} --csv - --cycles 4.1e1"));
+    let plain = run(folder, &format!("{preset} --csv - --cycles 41"));
+    assert_same(&exponent.stdout, &plain.stdout, "4.1e1 is 41");
     for cycles in [0, 1, 7, 39, 40, 41, 1040, 2000, 4940, 4941, 1_000_000] {
         let rows = run(folder, &format!("{preset} --csv - --cycles {cycles}")).stdout;
         let rows = String::from_utf8(rows).expect("it is text");

@@ -8,6 +8,7 @@
 //! (`model.gravity.g`), as deep as there is something (`generate.0.grading.1.count`). Parts with other characters than letters, digits, `_` and `-` are quoted.
 //! The value is TOML; what begins with a letter and is no TOML value is a text.
 
+mod elsewhere;
 mod path;
 
 use super::document::{Entry, Node, Table, Value, read_value};
@@ -30,7 +31,11 @@ pub(crate) fn apply(document: &mut Table, source: &Source, index: usize) -> Resu
     let section = super::SECTIONS
         .iter()
         .find(|section| section.name == first.text)
-        .ok_or_else(|| unknown(first, "table of presets", nearest_table(&first.text)))?;
+        .ok_or_else(|| {
+            let near = elsewhere::elsewhere(&first.text);
+            let near = near.unwrap_or_else(|| nearest_table(&first.text));
+            unknown(first, "table of presets", near)
+        })?;
 
     let table = match section.shape {
         Shape::Single => Ok(single(document, section, first)),
