@@ -25,7 +25,8 @@ pub(super) fn advice(
     };
     let first = words.next()?.into_string().ok().filter(|_| stumbled)?;
     let is_preset = catalogue::find(&first).is_some() || Path::new(&first).exists();
-    if is_preset || first.starts_with('-') {
+    // No command looks like a path.
+    if is_preset || first.starts_with('-') || first.contains(['.', '/']) {
         return None;
     }
     let cli = Cli::command();

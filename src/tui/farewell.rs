@@ -43,7 +43,8 @@ fn text(cycle: u64, saves: &Saves) -> String {
         lines.push(format!("the journal lacks its end: {fault}"));
     }
     let command = format!("ballast {}", shell_word(&keep.checkpoint.to_string_lossy()));
-    match saves.held() {
+    // What was saved may be gone with its folder.
+    match saves.held().filter(|_| keep.checkpoint.exists()) {
         Some(held) if held == cycle => lines.push(format!("go on with: {command}")),
         Some(held) => lines.push(format!("go on from cycle {held} with: {command}")),
         None if saves.fault().is_some() => lines.push("there is no earlier one, either".into()),
@@ -117,6 +118,9 @@ mod tests {
             let from = "go on from cycle 10 with: ballast ";
             assert_eq!(said.contains(from), earlier, "{said}");
             assert_eq!(said.contains("no earlier one"), !earlier, "{said}");
+            drop(folder);
+            let said = Ended::of("", &session, &saves, 0).farewell;
+            assert!(said.contains("no earlier one"), "gone with all: {said}");
         }
     }
 
