@@ -1,7 +1,7 @@
 //! `--isa`, and the variable that says the same for whoever cannot add an option.
 
 use super::{Cli, Command};
-use crate::engine::lanes::Isa;
+use crate::engine::Isa;
 
 const VARIABLE: &str = "BALLAST_ISA";
 
