@@ -134,6 +134,7 @@ impl Session {
             return false;
         }
         self.course.user_errand = None;
+        self.tell_verdict(&errand, "");
         if self.course.user_lines.is_empty() {
             true
         } else {
@@ -217,6 +218,8 @@ impl Session {
                     return Ok(());
                 }
                 self.course.errand = None;
+                let place = format!("stage {}: ", self.stage_name());
+                self.tell_verdict(&errand, &place);
             }
             if !self.course.lines.is_empty() {
                 return Ok(());

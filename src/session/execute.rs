@@ -3,7 +3,7 @@
 use super::course::Errand;
 use super::{Refusal, Session, generate, print};
 use crate::language::command::{Export, Goal, HistoryChange, Printout};
-use crate::language::{COMMANDS, Command, Expression, Known};
+use crate::language::{COMMANDS, Command, Expression, Known, number};
 use crate::measure::reference::Reference;
 use crate::record::journal::EventKind;
 
@@ -143,8 +143,8 @@ impl Session {
                 }
                 let condition = match &solve.goal {
                     Some(Goal::Until(condition)) => condition.to_string(),
-                    Some(Goal::Ratio(ratio)) => format!("unbalanced <= {ratio:?}"),
-                    None => format!("unbalanced <= {SOLVED:?}"),
+                    Some(Goal::Ratio(ratio)) => format!("unbalanced <= {}", number::format(*ratio)),
+                    None => format!("unbalanced <= {}", number::format(SOLVED)),
                 };
                 Ok(self.run_to(solve.max, Some(condition), by))
             }

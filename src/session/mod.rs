@@ -34,6 +34,7 @@ pub mod start;
 mod steer;
 mod tables;
 mod turns;
+mod verdict;
 pub mod worker;
 
 pub use advance::{Budget, Progress};
