@@ -349,7 +349,7 @@ fn wrong_words_are_refused_with_what_would_be_right() {
         ("nan.csv --y sin_phi", &["no row has both", "nan"]),
         (
             "no.csv --y sin_phi",
-            &["no.csv: cannot open", "no such file", "check the path"],
+            &["no such file, so no.csv cannot be opened", "check the path"],
         ),
         (". --y sin_phi", &["it is a folder"]),
         (

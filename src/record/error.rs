@@ -10,7 +10,8 @@ use super::checkpoint::CheckpointFault;
 #[derive(Debug, thiserror::Error)]
 pub enum RecordError {
     /// The operating system refused.
-    #[error("{}: cannot {attempt}: {}; {}", path.display(), reason(error, *attempt, path), remedy(error, *attempt))]
+    // The reason first: the path may be longer than a line of the screen.
+    #[error("{}, so {} cannot be {attempt}; {}", reason(error, *attempt, path), path.display(), remedy(error, *attempt))]
     File {
         /// The file.
         path: PathBuf,
@@ -36,7 +37,7 @@ pub enum RecordError {
         remedy: String,
     },
     /// A file that is no checkpoint this program can use, or a state that cannot become one.
-    #[error("{}: {fault}; {}", path.display(), fault.remedy())]
+    #[error("{fault}: {}; {}", path.display(), fault.remedy())]
     Checkpoint {
         /// The checkpoint.
         path: PathBuf,
@@ -88,13 +89,13 @@ pub enum Attempt {
 impl fmt::Display for Attempt {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::Create => "create",
-            Self::Open => "open",
+            Self::Create => "created",
+            Self::Open => "opened",
             Self::Read => "read",
-            Self::Write => "write",
-            Self::Cut => "shorten",
-            Self::Sync => "save to disk",
-            Self::Replace => "replace",
+            Self::Write => "written",
+            Self::Cut => "shortened",
+            Self::Sync => "saved to disk",
+            Self::Replace => "replaced",
         })
     }
 }
@@ -160,15 +161,15 @@ mod tests {
     }
 
     #[test]
-    fn a_message_names_file_attempt_reason_and_remedy() {
+    fn a_message_names_reason_file_attempt_and_remedy() {
         assert_eq!(
             said("out/run.csv", Attempt::Create, ErrorKind::NotFound),
-            "out/run.csv: cannot create: there is no folder `out`; \
+            "there is no folder `out`, so out/run.csv cannot be created; \
              make the folder, or give another path"
         );
         assert_eq!(
             said("run.ballast", Attempt::Open, ErrorKind::NotFound),
-            "run.ballast: cannot open: there is no such file; check the path"
+            "there is no such file, so run.ballast cannot be opened; check the path"
         );
         assert!(said("run.csv", Attempt::Write, ErrorKind::StorageFull).contains("disk is full"));
     }

@@ -300,7 +300,10 @@ fn particle(world: &mut World, id: u32, change: &ParticleChange) -> Result<Strin
 /// The step and how far it may go.
 fn step(world: &World) -> String {
     let limit = world.frac_limit();
-    let limit = if limit.is_finite() {
+    let limit = if world.frac() > limit {
+        let (frac, limit) = (figure(world.frac()), figure(limit));
+        format!("unstable: frac {frac} is above its limit {limit}")
+    } else if limit.is_finite() {
         format!("frac limit {}", figure(limit))
     } else {
         "no frac limit yet, nothing touches".into()

@@ -187,7 +187,7 @@ impl Session {
         }
         let command = Command::Restore(path.display().to_string());
         let cycle = self.save_safe(path)?;
-        Ok(cycle.map(|cycle| format!("`{command}` goes back to cycle {cycle}")))
+        Ok(cycle.map(|cycle| format!("to go back to cycle {cycle}: `{command}`")))
     }
 
     /// Reads a checkpoint.

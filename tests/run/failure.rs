@@ -72,7 +72,7 @@ fn rows_that_fitted_are_kept_whole_and_the_checkpoint_holds_the_others() {
         let said = said(&output);
         assert_eq!(output.status.code(), Some(1), "{said}");
         for hint in [
-            "part.csv: cannot write",
+            "part.csv cannot be written",
             "largest size of a file",
             "--resume part.ballast",
         ] {

@@ -17,7 +17,7 @@ pub const CARD: Card = Card {
              have. overlap damps critically where it is more than that share of the smallest \
              diameter. global [1/s] is proportional \
              to mass. local is the fraction of the out-of-balance force that opposes the motion, \
-             0 to 1. 0 switches any of them off.",
+             0 to 1. 0 switches any of them off but restitution, which is off once contact or beta is set.",
     examples: &["damp contact 0.1", "damp beta 1e-3", "damp local 0.7"],
     parse,
     changes_world: true,

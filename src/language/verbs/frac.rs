@@ -25,7 +25,7 @@ fn parse(words: &mut Words<'_>) -> Result<Command, Mistake> {
     if words.is_at_number() || words.is_at_end() {
         return words.positive("frac").map(Command::Frac);
     }
-    words.choose(&[("auto", ())])?;
+    words.keyword_of(&["auto"], "a number or `auto`")?;
     if words.is_at_end() {
         return Ok(Command::FracAuto(USUAL_SHARE));
     }

@@ -8,10 +8,19 @@ use std::borrow::Cow;
 impl Words<'_> {
     /// One of these words or a prefix that fits one only.
     pub(crate) fn keyword(&mut self, options: &[&'static str]) -> Result<&'static str, Mistake> {
+        self.keyword_of(options, &either(options))
+    }
+
+    /// The same where something else could stand as well; `what` names all of it.
+    pub(crate) fn keyword_of(
+        &mut self,
+        options: &[&'static str],
+        what: &str,
+    ) -> Result<&'static str, Mistake> {
         if self.is_at_end() {
             self.wanted
                 .extend(options.iter().map(|option| Wanted::Keyword(option)));
-            return Err(self.missing(&either(options)));
+            return Err(self.missing(what));
         }
         let mut word = self.word("")?;
         // `until(cycle > 3)`: no keyword holds a parenthesis, so one begins what follows.
@@ -39,7 +48,7 @@ impl Words<'_> {
                     format!("did you mean `{best}`?"),
                     word.span,
                 ),
-                None => self.refused(&word, "stands", &either(options)),
+                None => self.refused(&word, "stands", what),
             }),
             several => Err(Mistake::new(
                 format!("{} could be {}", shown(&word.text), either(several)),

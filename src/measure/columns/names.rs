@@ -90,7 +90,27 @@ pub fn nearest<'a>(wrong: &str, known: impl Iterator<Item = &'a str>) -> String 
     match best {
         Some((score, name)) if score > 0.8 => format!("did you mean `{name}`?"),
         Some(_) if known.len() <= 12 => format!("there is {}", known.join(", ")),
-        Some((_, name)) => format!("the nearest name is `{name}`"),
+        Some((_, name)) if is_near(wrong, name) => format!("did you mean `{name}`?"),
+        Some(_) => format!("none of the {} names is like it", known.len()),
         None => "there is none".into(),
+    }
+}
+
+/// Whether a third of the word at most has to be changed for the name.
+fn is_near(wrong: &str, name: &str) -> bool {
+    let distance = strsim::damerau_levenshtein(&wrong.to_lowercase(), &name.to_lowercase());
+    3 * distance <= wrong.chars().count()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn far_fetched_names_are_not_offered() {
+        let names: Vec<String> = (0..20).map(|k| format!("rolling-disc-{k}")).collect();
+        let answer = |wrong: &str| nearest(wrong, names.iter().map(String::as_str));
+        assert_eq!(answer("nothing"), "none of the 20 names is like it");
+        assert_eq!(answer("roling-disc-3"), "did you mean `rolling-disc-3`?");
     }
 }

@@ -40,7 +40,7 @@ impl Table {
             move |error| {
                 let said = RecordError::new(path, attempt, error).to_string();
                 let (message, remedy) = said.rsplit_once("; ").unwrap_or((&said, "check the path"));
-                debug_assert!(message.starts_with(&name));
+                debug_assert!(message.contains(&name));
                 Refusal::new(message, remedy)
             }
         };
