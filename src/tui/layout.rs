@@ -29,7 +29,7 @@ pub struct Arrangement {
     pub status: Rect,
     /// Panes in the order of their numbers.
     pub panes: Vec<(PaneId, Rect)>,
-    /// Last line of the dialogue, where the dialogue itself has no pane.
+    /// The last thing said, where the dialogue itself has no pane.
     pub last: Rect,
     /// Prompt.
     pub prompt: Rect,
@@ -47,9 +47,14 @@ pub fn class(width: u16, height: u16) -> Class {
     }
 }
 
-/// Arranges a screen; `zoomed` is the one pane that fills it. A contact that is followed takes the
-/// place of the last chart.
-pub fn arrange(area: Rect, zoomed: Option<PaneId>, follows: bool) -> Arrangement {
+/// Most lines that the last thing said may take below the panes of a screen.
+pub fn most_at_bottom(area: Rect) -> u16 {
+    (area.height / 4).max(1)
+}
+
+/// Arranges a screen; `zoomed` is the one pane that fills it, `last` how many lines the last thing said
+/// gets below the panes. A contact that is followed takes the place of the last chart.
+pub fn arrange(area: Rect, zoomed: Option<PaneId>, follows: bool, last: u16) -> Arrangement {
     let class = class(area.width, area.height);
     let line = |y: u16| {
         let inside = y < area.height;
@@ -62,15 +67,20 @@ pub fn arrange(area: Rect, zoomed: Option<PaneId>, follows: bool) -> Arrangement
     };
     if class == Class::Numbers {
         // Status first, prompt next, then what else fits.
+        let last = last.min(area.height.saturating_sub(2));
         let body = Rect {
             y: area.y + area.height.min(1),
-            height: area.height.saturating_sub(3),
+            height: area.height.saturating_sub(2 + last),
             ..area
         };
         let prompt = line(area.height.saturating_sub(1));
-        let last = line(area.height.saturating_sub(2));
+        let last = Rect {
+            y: body.bottom(),
+            height: last,
+            ..area
+        };
         let none = Rect { height: 0, ..area };
-        let body_fits = area.height > 3;
+        let body_fits = !body.is_empty();
         let pane = zoomed.unwrap_or(PaneId::Numbers);
         return Arrangement {
             class,
@@ -80,16 +90,15 @@ pub fn arrange(area: Rect, zoomed: Option<PaneId>, follows: bool) -> Arrangement
             } else {
                 Vec::new()
             },
-            last: if area.height > 2 { last } else { none },
+            last,
             prompt,
             hints: none,
         };
     }
-    let dialogue_pane = class != Class::Compact;
     let [status, body, last, prompt, hints] = Layout::vertical([
         Constraint::Length(1),
         Constraint::Min(0),
-        Constraint::Length(u16::from(!dialogue_pane || zoomed.is_some())),
+        Constraint::Length(last),
         Constraint::Length(1),
         Constraint::Length(1),
     ])
@@ -202,9 +211,10 @@ mod tests {
             width in 0u16..220,
             height in 0u16..70,
             follows in any::<bool>(),
+            last in 0u16..16,
         ) {
             let area = Rect::new(0, 0, width, height);
-            let a = arrange(area, None, follows);
+            let a = arrange(area, None, follows, last);
             let mut rects: Vec<Rect> = a.panes.iter().map(|(_, rect)| *rect).collect();
             rects.extend([a.status, a.last, a.prompt, a.hints]);
             rects.retain(|rect| !rect.is_empty());

@@ -5,6 +5,7 @@
 //! be looked at a row of [`panes::PANES`]; help derives from both.
 
 pub mod app;
+pub mod completion;
 pub mod dots;
 pub mod events;
 pub mod farewell;

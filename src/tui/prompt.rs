@@ -4,7 +4,7 @@ use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use tui_input::{Input, InputRequest};
 
 use crate::language::Known;
-use crate::language::complete::complete;
+use crate::tui::completion::complete;
 
 /// What a key at the prompt led to.
 #[derive(Debug, Clone, PartialEq, Eq)]

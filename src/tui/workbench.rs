@@ -295,6 +295,8 @@ impl Workbench {
                 self.worker.order(Order::Go);
                 let said = [format!("{name}: {look}")].into_iter().chain(warning);
                 said.for_each(|text| self.app.say(Said::Notice(text)));
+                let journal = self.keep.as_ref().map(|keep| keep.journal.as_path());
+                self.app.keep_beside(journal);
             }
             Err(error) => self.app.say(Said::Error(error)),
         }

@@ -4,7 +4,9 @@
 mod any_size;
 mod example;
 mod pictures;
+mod places;
 mod styles;
+mod talk;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;

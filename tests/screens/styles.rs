@@ -44,11 +44,11 @@ fn states_have_their_colours() {
 fn new_warnings_have_a_mark_until_seen() {
     let mut app = enlarged(PaneId::Monitor);
     let warning = drawn(&mut app, 80, 24);
-    assert_eq!(cell_of(&warning, "! 14 311").fg, Color::Yellow);
+    assert_eq!(cell_of(&warning, "! disc 5, 14 311").fg, Color::Yellow);
     app.unseen = 0;
     let seen = text(&drawn(&mut app, 80, 24));
     assert!(
-        seen.contains("14 311") && !seen.contains("! 14 311"),
+        seen.contains("  disc 5, 14 311") && !seen.contains("! disc"),
         "{seen}"
     );
 }

@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use crossterm::event::{KeyCode, KeyEvent};
 
-use super::{App, Effect, Overlay, Said};
+use super::{App, Effect, Overlay, Said, words};
 use crate::language::Known;
-use crate::measure::columns::{Partner, nearest};
+use crate::measure::columns::Partner;
 use crate::measure::frame::Touch;
 use crate::scene::catalogue::PRESETS;
 use crate::session::worker::Order;
@@ -30,7 +30,8 @@ impl App {
     pub fn key(&mut self, event: KeyEvent) -> Effect {
         self.dirty = true;
         if self.prompt.open && matches!(event.code, KeyCode::PageUp | KeyCode::PageDown) {
-            self.scroll(if event.code == KeyCode::PageUp { -5 } else { 5 });
+            let up = event.code == KeyCode::PageUp;
+            self.scroll_pages(if up { -1 } else { 1 });
             return Effect::None;
         }
         if self.prompt.open {
@@ -54,48 +55,32 @@ impl App {
     fn line(&mut self, line: &str) -> Effect {
         // The prompt stays open after a command; a colon before the next one is habit.
         let line = line.trim_start_matches(':').trim().to_owned();
-        let mut words = line.split_whitespace();
-        match (words.next(), words.next(), words.next()) {
-            (Some("q!" | "quit!"), None, None) => Effect::Quit,
-            (Some("q" | "quit"), None, None) => self.quit(false),
-            (Some("pace"), Some("max"), None) => Effect::Order(Order::Pace(None)),
-            (Some("pace"), Some(number), None) => match number.parse::<f64>() {
-                Ok(pace) if pace > 0.0 && pace.is_finite() => {
-                    Effect::Order(Order::Pace(Some(pace)))
-                }
-                _ => {
-                    self.say(Said::Error(format!(
-                        "`{number}` is no pace; cycles per second, or max"
-                    )));
-                    Effect::None
-                }
-            },
-            (Some("set"), Some("kbps"), Some(number)) => match number.parse::<f64>() {
-                Ok(kbps) if kbps > 0.0 => {
-                    self.link.budget = Some(1000.0 * kbps);
-                    Effect::None
-                }
-                _ => {
-                    self.say(Said::Error(format!(
-                        "`{number}` is no rate; kilobytes per second"
-                    )));
-                    Effect::None
-                }
-            },
-            (Some("load"), Some(name), None) => match PRESETS.iter().find(|p| p.name == name) {
-                Some(preset) => Effect::Load(preset.name),
-                None => {
-                    let near = nearest(name, PRESETS.iter().map(|p| p.name));
-                    self.say(Said::Error(format!("there is no preset `{name}`; {near}")));
-                    Effect::None
-                }
-            },
-            (Some("pane"), Some(_), _) => {
-                self.place_by_name(line["pane".len()..].trim());
-                Effect::None
-            }
-            _ => Effect::Order(Order::Line(line)),
+        match line.as_str() {
+            "q!" | "quit!" => return Effect::Quit,
+            "q" | "quit" => return self.quit(false),
+            _ => {}
         }
+        if let Some(page) = words::help(&line) {
+            self.say(Said::Line(line));
+            self.answer(page.into_iter().map(Said::Answer).collect());
+        } else if let Some((word, rest)) = words::find(&line) {
+            self.say(Said::Line(line.clone()));
+            match self.act_on(word, rest) {
+                Ok((answer, effect)) => {
+                    if !answer.is_empty() {
+                        self.answer(vec![Said::Answer(answer)]);
+                    }
+                    return effect;
+                }
+                Err(refusal) => self.answer(vec![Said::Error(refusal)]),
+            }
+        } else if let Some(mistake) = words::mistaken(&line) {
+            self.say(Said::Line(line));
+            self.answer(vec![Said::Error(mistake)]);
+        } else {
+            return Effect::Order(Order::Line(line));
+        }
+        Effect::None
     }
 
     pub(super) fn quit(&mut self, anyway: bool) -> Effect {
@@ -128,7 +113,13 @@ impl App {
                 at + 1
             })),
             (Overlay::Help(at), Action::Scroll(by)) => {
-                Some(Overlay::Help(at.saturating_add_signed(by as i16)))
+                let page = self.overlay_page() as isize;
+                Some(Overlay::Help(at.saturating_add_signed((by * page) as i16)))
+            }
+            (Overlay::Presets(at), Action::Scroll(by)) => {
+                let page = self.overlay_page() as isize;
+                let at = at.saturating_add_signed(by * page).min(last);
+                Some(Overlay::Presets(at))
             }
             (Overlay::Presets(at), Action::Pan(_, y)) if y != 0.0 => {
                 Some(Overlay::Presets(if y > 0.0 {
@@ -163,7 +154,9 @@ impl App {
             Action::Interrupt if running => return Effect::Order(Order::Pause),
             Action::Quit | Action::Interrupt => return self.quit(false),
             Action::Focus(by) => self.move_focus(by),
+            Action::Pane(number) if self.is_single() => self.show_numbered(number),
             Action::Pane(number) if number < self.arrangement.panes.len() => self.focus = number,
+            Action::Zoom if self.is_single() => self.show_other(),
             Action::Zoom => {
                 self.zoomed = match self.zoomed {
                     Some(_) => None,
@@ -175,7 +168,7 @@ impl App {
                 self.scroll(if y > 0.0 { -1 } else { 1 });
             }
             Action::Pan(x, y) => self.view.pan(bounds, x, y),
-            Action::Scroll(by) => self.scroll(by),
+            Action::Scroll(by) => self.scroll_pages(by),
             Action::Magnify(factor) => self.view.magnify(factor),
             Action::Fit => self.view = View::default(),
             Action::Turn(by) => self.turn(by),
@@ -233,11 +226,6 @@ impl App {
         Effect::None
     }
 
-    fn scroll(&mut self, by: isize) {
-        let most = self.dialogue.len();
-        self.scrolled = self.scrolled.saturating_add_signed(-by).min(most);
-    }
-
     /// Follows another contact: of the selected disc, or any if none is selected.
     fn follow(&mut self, by: isize) -> Effect {
         let Some(frame) = &self.frame else {
@@ -280,6 +268,7 @@ impl App {
             Some(at) => (at as isize + by).rem_euclid(contacts.len() as isize) as usize,
         };
         let (i, partner) = contacts[next].clone();
+        self.seek(PaneId::Contact);
         Effect::Order(Order::Follow(i, partner))
     }
 

@@ -1,16 +1,17 @@
 //! State of the screen: what it shows, what has the focus, what was typed. Knows no terminal.
 
 mod acting;
+mod dialogue;
 mod places;
+mod reports;
+pub mod words;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::symbols::border;
 
-use crate::language::Command;
-use crate::session::Request;
 use crate::session::frames::Frame;
-use crate::session::worker::{Order, Report};
+use crate::session::worker::Order;
 use crate::tui::layout::{self, Arrangement, Class};
 use crate::tui::link::Link;
 use crate::tui::look::{Look, Points};
@@ -72,9 +73,6 @@ pub enum Effect {
     Quit,
 }
 
-/// Lines of dialogue kept.
-const DIALOGUE: usize = 2000;
-
 /// State of the screen.
 pub struct App {
     /// Newest frame.
@@ -87,7 +85,7 @@ pub struct App {
     pub prompt: Prompt,
     /// What was said.
     pub dialogue: Vec<Said>,
-    /// Lines scrolled back in the dialogue.
+    /// Lines scrolled back in the dialogue, as they stand in its pane.
     pub scrolled: usize,
     /// Number of the pane in focus.
     pub focus: usize,
@@ -126,6 +124,12 @@ pub struct App {
     /// Where the run's own files are.
     pub folder: String,
     arrangement: Arrangement,
+    /// All of the screen.
+    area: Rect,
+    /// Where in the dialogue an answer begins that is to be read from its beginning.
+    unread: Option<usize>,
+    /// Pane that gets the focus as soon as it is on the screen.
+    sought: Option<PaneId>,
 }
 
 impl App {
@@ -158,7 +162,10 @@ impl App {
             dirty: true,
             kept_cycle: 0,
             folder: String::new(),
-            arrangement: layout::arrange(Rect::default(), None, false),
+            arrangement: layout::arrange(Rect::default(), None, false, 1),
+            area: Rect::default(),
+            unread: None,
+            sought: None,
         }
     }
 
@@ -192,12 +199,14 @@ impl App {
         {
             self.begin();
         }
+        // Who goes back to an earlier state has exported no more than that.
+        self.kept_cycle = self.kept_cycle.min(frame.cycle);
         let before = self.frame.as_ref().map_or(0, |old| old.fracc.warnings);
         if frame.fracc.warnings > before
             && let Some((cycle, particle, fracc)) = frame.fracc.last
         {
             let more = frame.fracc.warnings - before;
-            let text = format!("FRACC {fracc:.3} > 0.3 at disc {particle}, {more} cycles");
+            let text = format!("FRACC {fracc:.3} > 0.3, {more} cycles");
             self.warn(Warning {
                 cycle,
                 particle: Some(particle),
@@ -257,87 +266,11 @@ impl App {
         }
     }
 
-    /// Adds to the dialogue.
-    pub fn say(&mut self, said: Said) {
-        self.dialogue.push(said);
-        if self.dialogue.len() > DIALOGUE {
-            self.dialogue.drain(..DIALOGUE / 4);
-        }
-        self.scrolled = 0;
-        self.dirty = true;
-    }
-
-    /// A long answer gets the whole screen; Esc gives it back.
-    fn make_room(&mut self, lines: usize) {
-        let shown = self
-            .arrangement
-            .panes
-            .iter()
-            .find(|(id, _)| *id == PaneId::Dialogue);
-        let room = shown.map_or(1, |(_, area)| usize::from(area.height.saturating_sub(2)));
-        if lines > room {
-            self.zoomed = Some(PaneId::Dialogue);
-        }
-    }
-
-    /// Takes a report of the worker.
-    pub fn take_report(&mut self, report: Report) -> Effect {
-        match report {
-            Report::Said { line, reply } => {
-                self.say(Said::Line(line.clone()));
-                match reply {
-                    Ok(reply) => {
-                        let restored = matches!(Command::parse(&line), Ok(Command::Restore(_)));
-                        if restored || reply.request == Some(Request::Run) {
-                            self.failure = None;
-                        }
-                        if (line.starts_with("export") || line.starts_with("save"))
-                            && let Some(frame) = &self.frame
-                        {
-                            self.kept_cycle = frame.cycle;
-                        }
-                        if matches!(Command::parse(&line), Ok(Command::InspectContact(..))) {
-                            // The pane shows all that the answer says, and goes on showing it.
-                            self.zoomed = Some(PaneId::Contact);
-                        } else {
-                            self.make_room(reply.lines.len());
-                        }
-                        reply
-                            .lines
-                            .into_iter()
-                            .for_each(|text| self.say(Said::Answer(text)));
-                    }
-                    Err(refusal) => self.say(Said::Error(refusal.to_string())),
-                }
-                Effect::None
-            }
-            Report::Notice(text) => {
-                self.say(Said::Notice(text));
-                Effect::None
-            }
-            Report::Failed(text) => {
-                self.failure = Some(text.clone());
-                self.say(Said::Error(text));
-                Effect::None
-            }
-            Report::Pace(pace) => {
-                self.pace = pace;
-                self.dirty = true;
-                Effect::None
-            }
-            Report::Quit(anyway) => self.quit(anyway),
-        }
-    }
-
     /// Draws everything; answers where the cursor stands.
     pub fn draw(&mut self, area: Rect, buffer: &mut Buffer) -> Option<(u16, u16)> {
-        let follows = self.frame.as_ref().is_some_and(|f| f.contact.is_some());
-        self.arrangement = layout::arrange(area, self.zoomed, follows);
-        self.place();
+        self.arrange(area);
+        self.settle_dialogue();
         let a = self.arrangement.clone();
-        if self.zoomed.is_none() {
-            self.focus = self.focus.min(a.panes.len().saturating_sub(1));
-        }
         panes::status::draw(self, a.status, buffer);
         for (number, (id, rect)) in a.panes.iter().enumerate() {
             let number = if self.zoomed.is_some() {
@@ -346,7 +279,7 @@ impl App {
                 number
             };
             if a.class == Class::Numbers {
-                (panes::row(*id).draw)(self, *id, *rect, buffer);
+                panes::draw_bare(self, *id, *rect, buffer);
             } else {
                 panes::draw(self, *id, number, *rect, buffer);
             }

@@ -2,9 +2,11 @@
 
 use ratatui::layout::Rect;
 
-use super::{App, Said};
+use super::App;
+use crate::language::mistake::{either, shown};
 use crate::measure::columns::nearest;
 use crate::session::frames::Wants;
+use crate::tui::layout::{self, Class};
 use crate::tui::panes::{self, PANES, PaneId};
 
 impl App {
@@ -21,12 +23,38 @@ impl App {
     }
 
     pub(super) fn move_focus(&mut self, by: isize) {
+        if self.is_single() {
+            return self.place_next(by);
+        }
         let count = self.arrangement.panes.len().max(1) as isize;
         let zoomed = self.zoomed.is_some();
         self.focus = (self.focus as isize + by).rem_euclid(count) as usize;
         if zoomed {
             self.zoomed = None;
         }
+    }
+
+    /// Finds out what stands where on a screen of this size.
+    pub(super) fn arrange(&mut self, area: Rect) {
+        self.area = area;
+        let follows = self.frame.as_ref().is_some_and(|f| f.contact.is_some());
+        let mut lines = 1;
+        // Whether the dialogue is in sight decides how much has to be said below the panes.
+        for _ in 0..2 {
+            self.arrangement = layout::arrange(area, self.zoomed, follows, lines);
+            self.place();
+            lines = self.lines_at_bottom();
+        }
+        if self.zoomed.is_some() {
+            return;
+        }
+        let panes = &self.arrangement.panes;
+        let sought = panes.iter().position(|(id, _)| Some(*id) == self.sought);
+        if let Some(place) = sought {
+            self.focus = place;
+            self.sought = None;
+        }
+        self.focus = self.focus.min(panes.len().saturating_sub(1));
     }
 
     /// What the panes on the screen need of a frame. The picture is always needed: keys choose discs
@@ -83,7 +111,7 @@ impl App {
     }
 
     /// Puts panes where they were sent.
-    pub(super) fn place(&mut self) {
+    fn place(&mut self) {
         if self.zoomed.is_some() {
             return;
         }
@@ -95,12 +123,45 @@ impl App {
         }
     }
 
+    /// Whether the screen has room for one pane only, so that keys choose which.
+    pub(super) fn is_single(&self) -> bool {
+        self.arrangement.class == Class::Numbers
+    }
+
+    /// Where there is room for one pane: the one of this number in the list of panes.
+    pub(super) fn show_numbered(&mut self, number: usize) {
+        if let Some((id, _)) = PANES.get(number) {
+            self.zoomed = None;
+            self.put(0, *id);
+        }
+    }
+
+    /// Where there is room for one pane: the assembly, or the numbers instead of anything else.
+    pub(super) fn show_other(&mut self) {
+        let id = match self.focused() {
+            Some(PaneId::Numbers) => PaneId::Assembly,
+            _ => PaneId::Numbers,
+        };
+        self.zoomed = None;
+        self.put(0, id);
+    }
+
+    /// The focus goes to a pane as soon as that is on the screen.
+    pub(super) fn seek(&mut self, id: PaneId) {
+        if self.is_single() {
+            self.zoomed = None;
+            self.put(0, id);
+        } else {
+            self.sought = Some(id);
+        }
+    }
+
     /// The next pane of the list in the place in focus; the assembly keeps its own.
     pub(super) fn place_next(&mut self, by: isize) {
         let others: Vec<PaneId> = PANES
             .iter()
             .map(|(id, _)| *id)
-            .filter(|id| *id != PaneId::Assembly)
+            .filter(|id| *id != PaneId::Assembly || self.is_single())
             .collect();
         let number = self.place_number();
         let now = self
@@ -113,27 +174,66 @@ impl App {
         let next = at.map_or(0, |at| {
             (at as isize + by).rem_euclid(others.len() as isize) as usize
         });
+        if self.is_single() {
+            self.zoomed = None;
+        }
         self.put(number, others[next]);
     }
 
-    /// A pane by its name or the beginning of it, in the place in focus.
-    pub(super) fn place_by_name(&mut self, name: &str) {
-        let found: Vec<PaneId> = PANES
-            .iter()
-            .filter(|(id, pane)| *id != PaneId::Assembly && pane.name.starts_with(name))
-            .map(|(id, _)| *id)
-            .collect();
-        if let [id] = found[..] {
-            let number = self.place_number();
-            return self.put(number, id);
+    /// A pane by its name or the beginning of it, in the place in focus; or why there is none.
+    pub(super) fn place_by_name(&mut self, name: &str) -> Result<(), String> {
+        let typed = name.to_lowercase();
+        let choice = || {
+            PANES
+                .iter()
+                .filter(|(id, _)| *id != PaneId::Assembly || self.is_single())
+        };
+        let names: Vec<&str> = choice().map(|(_, pane)| pane.name).collect();
+        if typed.is_empty() {
+            return Err(format!(
+                "`pane` needs a name; there is {}",
+                names.join(", ")
+            ));
         }
-        let names = PANES.iter().map(|(_, pane)| pane.name).skip(1);
-        let near = nearest(name, names);
-        self.say(Said::Error(format!("`{name}` is no pane; {near}")));
+        let mut found: Vec<(PaneId, &str)> = choice()
+            .map(|(id, pane)| (*id, pane.name))
+            .filter(|(_, name)| name.starts_with(&typed))
+            .collect();
+        if found.iter().any(|(_, name)| *name == typed) {
+            found.retain(|(_, name)| *name == typed);
+        }
+        match found[..] {
+            [(id, _)] => {
+                if self.is_single() {
+                    self.zoomed = None;
+                }
+                self.put(self.place_number(), id);
+                Ok(())
+            }
+            [] if "assembly".starts_with(&typed) => {
+                Err("the assembly keeps its place; Tab or 1 goes there, z enlarges it".to_owned())
+            }
+            [] => Err(format!(
+                "{} is no pane; {}",
+                shown(name),
+                nearest(name, names.into_iter())
+            )),
+            _ => {
+                let names: Vec<&str> = found.iter().map(|(_, name)| *name).collect();
+                let name = shown(name);
+                Err(format!(
+                    "{name} could be {}; write more of it",
+                    either(&names)
+                ))
+            }
+        }
     }
 
     /// The place that takes another pane: the one in focus, but that of the assembly.
     fn place_number(&self) -> usize {
+        if self.is_single() {
+            return 0;
+        }
         let is_assembly = self.focused() == Some(PaneId::Assembly);
         if is_assembly && self.focus == 0 {
             1

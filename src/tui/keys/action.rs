@@ -61,7 +61,7 @@ pub enum Action {
     Pace(bool),
     /// As fast as possible.
     Flat,
-    /// Scroll what is in focus by lines.
+    /// Scroll by pages.
     Scroll(isize),
     /// Warnings have been seen.
     Acknowledge,

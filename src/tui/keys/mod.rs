@@ -212,14 +212,14 @@ pub const KEYS: &[Key] = &[
     key(
         press!(KeyCode::PageUp),
         "PgUp",
-        "scroll up",
-        Action::Scroll(-10),
+        "scroll up by a page",
+        Action::Scroll(-1),
     ),
     key(
         press!(KeyCode::PageDown),
         "PgDn",
-        "scroll down",
-        Action::Scroll(10),
+        "scroll down by a page",
+        Action::Scroll(1),
     ),
     key(
         press!(KeyCode::Char('+'), KeyCode::Char('=')),

@@ -5,8 +5,8 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use super::{Pane, PaneId};
-use crate::language::COMMANDS;
 use crate::tui::app::{App, Said};
+use crate::tui::completion::usage;
 use crate::tui::look::Role;
 use crate::tui::write::{self, Lines, wrapped};
 
@@ -34,17 +34,30 @@ fn styled(app: &App, said: &Said) -> (String, Style) {
     }
 }
 
+/// Lines that the dialogue takes from an entry on, in so many columns.
+pub fn height(app: &App, first: usize, width: usize) -> usize {
+    let entries = app.dialogue.iter().skip(first);
+    entries
+        .map(|said| wrapped(&styled(app, said).0, width).len())
+        .sum()
+}
+
 fn draw(app: &App, _: PaneId, area: Rect, buffer: &mut Buffer) {
     let width = usize::from(area.width);
-    let mut row = area.height;
     if app.dialogue.is_empty() {
         let text = "nothing said yet; `:` opens the prompt, `help` lists the commands";
         Lines::new(&app.look, area, buffer).text(text, Role::Label);
     }
-    let end = app.dialogue.len().saturating_sub(app.scrolled);
-    for said in app.dialogue[..end].iter().rev() {
+    // Lines below the pane and in it, from the newest upwards.
+    let mut hidden = app.scrolled;
+    let mut row = area.height;
+    for said in app.dialogue.iter().rev() {
         let (text, style) = styled(app, said);
         for line in wrapped(&text, width).iter().rev() {
+            if hidden > 0 {
+                hidden -= 1;
+                continue;
+            }
             if row == 0 {
                 return;
             }
@@ -54,7 +67,7 @@ fn draw(app: &App, _: PaneId, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// Draws the last thing said in one line.
+/// Draws the last thing said, in as many lines as there are.
 pub fn last(app: &App, area: Rect, buffer: &mut Buffer) {
     let (text, style) = match app.dialogue.last() {
         Some(said) => styled(app, said),
@@ -63,7 +76,10 @@ pub fn last(app: &App, area: Rect, buffer: &mut Buffer) {
             None => return,
         },
     };
-    write::styled(&app.look, (area, buffer), (0, 0), &text, style);
+    let lines = wrapped(&text, usize::from(area.width));
+    for (line, row) in lines.iter().zip(0..area.height) {
+        write::styled(&app.look, (area, &mut *buffer), (0, row), line, style);
+    }
 }
 
 /// Draws the prompt; answers where the cursor stands.
@@ -88,10 +104,11 @@ pub fn prompt(app: &App, area: Rect, buffer: &mut Buffer) -> Option<(u16, u16)> 
     let visible: String = text.chars().skip(shift).collect();
     let line = format!("> {visible}");
     let end = write::at(&app.look, (area, &mut *buffer), (0, 0), &line, Role::Value);
-    let hint = if app.prompt.candidates.is_empty() {
-        usage(text)
-    } else {
-        app.prompt.candidates.join("  ")
+    // Said in words what it is: where there are no colours it would seem to be typed.
+    let hint = match (app.prompt.candidates.as_slice(), usage(text)) {
+        ([], "") => String::new(),
+        ([], usage) => format!("usage: {usage}"),
+        (candidates, _) => format!("one of: {}", candidates.join("  ")),
     };
     write::at(&app.look, (area, buffer), (end + 2, 0), &hint, Role::Frame);
     let x = area.x + (2 + app.prompt.cursor() - shift) as u16;
@@ -106,19 +123,5 @@ fn invitation(app: &App) -> &'static str {
             "press : to type a command, e to export the history, b for presets"
         }
         Some(_) => "press : to type a command, ? for help",
-    }
-}
-
-/// Usage of the command being typed.
-fn usage(text: &str) -> String {
-    let Some(verb) = text.split_whitespace().next() else {
-        return String::new();
-    };
-    let verb = verb.to_lowercase();
-    let mut fitting = COMMANDS.iter().filter(|card| card.name.starts_with(&verb));
-    match (fitting.next(), fitting.next()) {
-        (Some(card), None) => card.usage.lines().next().unwrap_or_default().to_owned(),
-        (Some(first), Some(_)) if first.name == verb => first.usage.to_owned(),
-        _ => String::new(),
     }
 }

@@ -7,21 +7,13 @@ use ratatui::widgets::{Block, Clear, Widget};
 use super::PANES;
 use crate::language::COMMANDS;
 use crate::tui::app::App;
+use crate::tui::app::words::WORDS;
 use crate::tui::keys::{Action, KEYS};
 use crate::tui::look::Role;
 use crate::tui::write::{self, Lines};
 
 /// Below this width keys stand in one column.
 const TWO_COLUMNS: u16 = 92;
-
-/// Words that only the screen understands.
-const WORDS: [(&str, &str); 5] = [
-    ("load PRESET", "start a preset that is part of the program"),
-    ("pace N | max", "cycles per second aimed at"),
-    ("pane NAME", "this pane in the place in focus, as p does"),
-    ("set kbps N", "bytes the screen may use, in kB/s"),
-    ("q, q!", "quit; q! does not ask"),
-];
 
 /// A line of help.
 type Line = (String, Role);
@@ -33,7 +25,8 @@ fn page(app: &App, width: u16) -> Vec<Line> {
         if !page.is_empty() {
             page.push((String::new(), Role::Label));
         }
-        page.push((text.to_owned(), Role::Value));
+        let lines = write::wrapped(text, usize::from(width));
+        page.extend(lines.into_iter().map(|line| (line, Role::Value)));
     };
     heading(&mut page, "KEYS");
     page.extend(keys(width));
@@ -44,7 +37,8 @@ fn page(app: &App, width: u16) -> Vec<Line> {
     let cards = COMMANDS.iter().map(|card| (card.name, card.summary));
     page.extend(table(cards, 10, width));
     heading(&mut page, "WORDS OF THE SCREEN, after `:` as well");
-    page.extend(table(WORDS.into_iter(), 13, width));
+    let words = WORDS.iter().map(|word| (word.usage, word.summary));
+    page.extend(table(words, 16, width));
     heading(
         &mut page,
         "PANES; p changes what stands in the place in focus, ] turns it to another drawing, z enlarges it",
@@ -80,36 +74,54 @@ fn page(app: &App, width: u16) -> Vec<Line> {
 
 /// Keys with what they do, in two columns if there is room.
 fn keys(width: u16) -> Vec<Line> {
-    let texts: Vec<String> = KEYS
-        .iter()
-        .filter_map(|key| match key.action {
-            Action::Pane(0) => Some(format!("{:8} pane of this number", "1 to 9")),
-            Action::Pane(_) => None,
-            _ => Some(format!("{:8} {}", key.label, key.help)),
-        })
-        .collect();
+    let mut rows: Vec<(&str, &str)> = Vec::new();
+    for key in KEYS {
+        match key.action {
+            Action::Pane(0) => rows.push(("1 to 9", "pane of this number")),
+            Action::Pane(_) => {}
+            _ => rows.push((key.label, key.help)),
+        }
+    }
     if width < TWO_COLUMNS {
-        return texts.into_iter().map(|text| (text, Role::Label)).collect();
+        return table(rows.into_iter(), 8, width);
     }
     let column = usize::from(width / 2);
-    let half = texts.len().div_ceil(2);
-    (0..half)
-        .map(|k| {
-            let right = texts.get(half + k).map_or("", String::as_str);
-            (format!("{:column$}{right}", texts[k]), Role::Label)
-        })
-        .collect()
+    let texts = table(rows.into_iter(), 8, width / 2 - 2);
+    // A key and all of its meaning stand in one of them.
+    let mut half = texts.len().div_ceil(2);
+    while texts
+        .get(half)
+        .is_some_and(|(text, _)| text.starts_with(' '))
+    {
+        half += 1;
+    }
+    let lines = (0..half).map(|k| {
+        let right = texts.get(half + k).map_or("", |(text, _)| text.as_str());
+        (format!("{:column$}{right}", texts[k].0), Role::Label)
+    });
+    lines.collect()
 }
 
-/// Names and what they mean; long meanings go on in the next line.
+/// Fewer columns than this are no room for meanings beside names.
+const BESIDE: usize = 16;
+
+/// Names and what they mean; long meanings go on in the next line, and where there is no room beside
+/// the names all of them begin there.
 fn table<'a>(
     rows: impl Iterator<Item = (&'a str, &'a str)>,
     names: usize,
     width: u16,
 ) -> Vec<Line> {
-    let room = usize::from(width).saturating_sub(names + 1);
+    let width = usize::from(width);
+    let room = width.saturating_sub(names + 1);
     let mut lines = Vec::new();
     for (name, meaning) in rows {
+        if room < BESIDE {
+            let below = write::wrapped(meaning, width.saturating_sub(2));
+            lines.push((name.to_owned(), Role::Label));
+            lines.extend(below.iter().map(|part| (format!("  {part}"), Role::Label)));
+            continue;
+        }
         for (k, part) in write::wrapped(meaning, room).iter().enumerate() {
             let name = if k == 0 { name } else { "" };
             lines.push((format!("{name:names$} {part}"), Role::Label));

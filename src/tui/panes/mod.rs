@@ -129,11 +129,12 @@ pub fn draw(app: &App, id: PaneId, number: usize, area: Rect, buffer: &mut Buffe
     let focused = app.focus == number;
     let role = if focused { Role::Focus } else { Role::Frame };
     let room = usize::from(area.width).saturating_sub(6);
-    let title = match measured_before(app, id) {
-        None => (pane.title)(app, id),
-        Some(cycle) => write::dated(&(pane.title)(app, id), &status::grouped(cycle), room),
+    let title = title(app, id, room);
+    // Keys choose the first nine.
+    let title = match number {
+        0..9 => format!(" {} {title} ", number + 1),
+        _ => format!(" {title} "),
     };
-    let title = format!(" {} {} ", number + 1, write::fitting(&title, room));
     let title = write::shown(&app.look, &title);
     let block = Block::bordered()
         .border_set(app.border())
@@ -144,6 +145,33 @@ pub fn draw(app: &App, id: PaneId, number: usize, area: Rect, buffer: &mut Buffe
     if !inner.is_empty() {
         (pane.draw)(app, id, inner, buffer);
     }
+}
+
+/// Least lines of a small screen that a title may take one of.
+const TITLED: u16 = 4;
+
+/// Draws the only pane of a small screen: without a frame, and with a title where there is room and
+/// the pane is not the usual one.
+pub fn draw_bare(app: &App, id: PaneId, area: Rect, buffer: &mut Buffer) {
+    let pane = row(id);
+    let mut inside = area;
+    if id != PaneId::Numbers && area.height >= TITLED {
+        let title = title(app, id, usize::from(area.width));
+        write::at(&app.look, (area, &mut *buffer), (0, 0), &title, Role::Value);
+        inside.y += 1;
+        inside.height -= 1;
+    }
+    (pane.draw)(app, id, inside, buffer);
+}
+
+/// Title of a pane in so many columns, with the cycle that it is about if that is not the frame's.
+fn title(app: &App, id: PaneId, room: usize) -> String {
+    let title = (row(id).title)(app, id);
+    let title = match measured_before(app, id) {
+        None => title,
+        Some(cycle) => write::dated(&title, &status::grouped(cycle), room),
+    };
+    write::fitting(&title, room).to_owned()
 }
 
 /// Cycle that the measures which a pane shows belong to, if it is not that of the frame.

@@ -58,11 +58,11 @@ fn draw(app: &App, _: PaneId, area: Rect, buffer: &mut Buffer) {
             ("  ", Role::Label)
         };
         let cycle = super::status::grouped(warning.cycle);
-        let disc = match warning.particle {
-            Some(id) if !warning.text.contains("disc") => format!(" disc {id}"),
-            _ => String::new(),
+        // Where there is no room for all of it the disc is what the keys lead to.
+        let text = match warning.particle {
+            Some(id) => format!("{mark}disc {id}, {cycle}: {}", warning.text),
+            None => format!("{mark}{cycle}: {}", warning.text),
         };
-        let text = format!("{mark}{cycle}{disc} {}", warning.text);
         lines.line(&text, role);
     }
 }
@@ -70,6 +70,8 @@ fn draw(app: &App, _: PaneId, area: Rect, buffer: &mut Buffer) {
 /// A value against its limit.
 struct Gauge {
     name: &'static str,
+    /// What is said where there is no value.
+    missing: &'static str,
     value: f64,
     limit: f64,
 }
@@ -81,11 +83,18 @@ fn gauges(app: &App, frame: &Frame) -> [Gauge; 2] {
     [
         Gauge {
             name: "FRACC",
+            // Rows begin it anew; what was seen before is what warnings are about.
+            missing: if app.warnings.is_empty() {
+                "not evaluated yet"
+            } else {
+                "none since the last row"
+            },
             value: frame.fracc.largest.or(row).unwrap_or(f64::NAN),
             limit: FRACC_LIMIT,
         },
         Gauge {
             name: "FRAC ",
+            missing: "not known yet",
             value: frame.frac,
             limit: frame.frac_limit,
         },
@@ -96,7 +105,7 @@ impl Gauge {
     fn write(&self, app: &App, width: u16, lines: &mut Lines<'_>) {
         let over = self.value > self.limit;
         let number = if self.value.is_nan() {
-            "not evaluated yet".to_owned()
+            self.missing.to_owned()
         } else if self.limit.is_nan() {
             format!("{:.3}", self.value)
         } else if self.limit.is_finite() {

@@ -37,6 +37,9 @@ const NEXT: [&str; 6] = [
     "energy_error",
 ];
 
+/// Columns of text that a name and its number side by side need.
+const ROOMY: u16 = 26;
+
 /// Places of the columns, most useful first.
 fn order(columns: &[Observable]) -> Vec<usize> {
     let rank = |column: &Observable| {
@@ -75,14 +78,24 @@ fn draw(app: &App, _: PaneId, area: Rect, buffer: &mut Buffer) {
             ..area
         };
         let mut lines = Lines::new(&app.look, place, buffer);
+        let names = places
+            .iter()
+            .map(|&k| app.series.columns[k].name().chars().count());
+        let longest = names.max().unwrap_or(0);
         for &k in places {
             let value = row.values.get(k).copied().unwrap_or(f64::NAN);
-            write_column(app, k, value, place.width, &mut lines);
+            write_column(app, k, value, (longest, place.width), &mut lines);
         }
     }
 }
 
-fn write_column(app: &App, k: usize, value: f64, width: u16, lines: &mut Lines<'_>) {
+fn write_column(
+    app: &App,
+    k: usize,
+    value: f64,
+    (longest, width): (usize, u16),
+    lines: &mut Lines<'_>,
+) {
     let column = &app.series.columns[k];
     let number = if column.kind() == Kind::Count {
         count(value)
@@ -96,7 +109,7 @@ fn write_column(app: &App, k: usize, value: f64, width: u16, lines: &mut Lines<'
         column.unit()
     };
     let mut name = column.name();
-    if width < 26 {
+    if width < usize::from(ROOMY) {
         // No room for columns: the number right behind the name.
         let room = width.saturating_sub(number.len() + 1);
         name = name.chars().take(room).collect();
@@ -107,7 +120,8 @@ fn write_column(app: &App, k: usize, value: f64, width: u16, lines: &mut Lines<'
         ]);
         return;
     }
-    let names = width.saturating_sub(18).min(24);
+    // Names before pictures: what there is no room for is the curve.
+    let names = width.saturating_sub(18).min(longest.max(24));
     if name.chars().count() > names {
         name = name.chars().take(names).collect();
     }
@@ -140,7 +154,12 @@ fn draw_without_rows(app: &App, area: Rect, buffer: &mut Buffer) {
         ("contacts", assembly.contacts.to_string()),
         ("mean_force [N]", short(assembly.mean_force)),
     ] {
-        lines.line(&format!("{name:14} {value:>10}"), Role::Value);
+        let text = if area.width < ROOMY {
+            format!("{name} {value}")
+        } else {
+            format!("{name:14} {value:>10}")
+        };
+        lines.line(&text, Role::Value);
     }
     let text = format!("no rows yet, one every {} cycles", frame.every);
     lines.line(&text, Role::Label);

@@ -7,6 +7,7 @@ use ratatui::style::{Modifier, Style};
 use crate::session::frames::Frame;
 use crate::tui::app::App;
 use crate::tui::keys::KEYS;
+use crate::tui::link::Link;
 use crate::tui::look::Role;
 use crate::tui::write;
 
@@ -52,13 +53,18 @@ fn parts(app: &App) -> Vec<(String, Role)> {
     let (word, role) = match (&app.failure, frame.running, frame.finished) {
         (Some(_), ..) => ("FAILED", Role::Failure),
         (None, true, _) => ("RUN", Role::Running),
-        (None, false, true) => ("DONE", Role::Paused),
-        (None, false, false) => ("PAUSED", Role::Paused),
+        (None, false, true) if frame.stages.1 > 0 => ("DONE", Role::Paused),
+        (None, false, _) => ("PAUSED", Role::Paused),
     };
     let mut parts = vec![(word.to_owned(), role)];
     parts.push((format!("cycle {}", grouped(frame.cycle)), Role::Value));
     if let Some(failure) = &app.failure {
-        parts.push((failure.clone(), Role::Failure));
+        // The cycle stands there already.
+        let cycle = format!("cycle {}: ", frame.cycle);
+        let reason = failure.strip_prefix(&cycle).unwrap_or(failure);
+        parts.push((reason.to_owned(), Role::Failure));
+    } else if frame.finished && !frame.running && frame.stages.1 == 0 {
+        parts.push(("no stages: space runs".into(), plain));
     } else if frame.finished && !frame.running {
         parts.push(("e exports, : goes on by hand, b presets".into(), plain));
     }
@@ -86,9 +92,19 @@ fn parts(app: &App) -> Vec<(String, Role)> {
         parts.push((text, plain));
     }
     parts.push((frame.preset.clone(), plain));
-    let (bytes, fps) = app.link.measured;
-    parts.push((format!("{fps:.0} fps {}", rate(bytes, "B/s")), plain));
+    parts.push((line(&app.link), plain));
     parts
+}
+
+/// Frames and bytes per second to the terminal, the latter with the budget if there is one.
+fn line(link: &Link) -> String {
+    let (bytes, fps) = link.measured;
+    match link.budget {
+        Some(budget) => {
+            format!("{fps:.0} fps {:.1}/{} kB/s", bytes / 1e3, budget / 1e3)
+        }
+        None => format!("{fps:.0} fps {}", rate(bytes, "B/s")),
+    }
 }
 
 /// How much of the stage is done, and how long the rest takes.
@@ -158,6 +174,18 @@ pub fn hints(app: &App, area: Rect, buffer: &mut Buffer) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_line_says_what_it_may_use() {
+        let mut link = Link::new(crate::tui::link::Line {
+            budget: Some(5e3),
+            fps: 10.0,
+        });
+        link.measured = (6310.0, 9.6);
+        assert_eq!(line(&link), "10 fps 6.3/5 kB/s");
+        link.budget = None;
+        assert_eq!(line(&link), "10 fps 6.3 kB/s");
+    }
 
     #[test]
     fn digits_stand_in_threes() {

@@ -14,7 +14,7 @@ use crate::tui::dots::{Dots, Ink};
 use crate::tui::look::{Chains, Compared, Points, Role};
 use crate::tui::scale::{round_down, short};
 use crate::tui::view::fitted;
-use crate::tui::write;
+use crate::tui::write::{self, Lines};
 
 /// The pane.
 pub const PANE: Pane = Pane {
@@ -61,15 +61,19 @@ fn draw(app: &App, _: PaneId, area: Rect, buffer: &mut Buffer) {
         write::at(&app.look, (area, buffer), (0, 0), text, Role::Label);
         return;
     }
+    let selected = app
+        .selected
+        .and_then(|id| picture.discs.iter().find(|disc| disc.id == id));
+    let words = selected.map(|disc| about(disc, &picture.touches));
+    let words = words.map(|text| write::wrapped(&text, usize::from(area.width)));
+    // What is said of a disc may take more than one line, but not the place of the picture.
+    let below = words.as_ref().map_or(1, |lines| lines.len() as u16);
     let body = Rect {
-        height: area.height - u16::from(area.height > 3),
+        height: area.height - below.min(area.height / 4),
         ..area
     };
     let mut dots = Dots::new(app.look.points, body.width, body.height);
     let map = Map::new(app, picture, &dots);
-    let selected = app
-        .selected
-        .and_then(|id| picture.discs.iter().find(|disc| disc.id == id));
     draw_walls(picture, &map, app.look.points, &mut dots);
     // The space lattice stands for the discs.
     if app.look.discs && app.look.compared != Compared::Contacts {
@@ -104,13 +108,14 @@ fn draw(app: &App, _: PaneId, area: Rect, buffer: &mut Buffer) {
     if body.height < area.height {
         let line = Rect {
             y: body.bottom(),
-            height: 1,
+            height: area.height - body.height,
             ..area
         };
-        match (selected, against) {
-            (Some(disc), _) => {
-                let text = about(disc, &picture.touches);
-                write::at(&app.look, (line, buffer), (0, 0), &text, Role::Value);
+        match (words, against) {
+            (Some(words), _) => {
+                let mut lines = Lines::new(&app.look, line, buffer);
+                let fitting = words.iter().take(usize::from(line.height));
+                fitting.for_each(|words| lines.line(words, Role::Value));
             }
             (None, Some(against)) => changes::write_legend(app, against, (line, buffer)),
             (None, None) => write_scale(app, &map, mean, (line, buffer)),
@@ -304,7 +309,7 @@ fn write_number(
     write::at(&app.look, (area, buffer), place, &text, Role::Selected);
 }
 
-/// A disc in one line.
+/// A disc in a few words.
 fn about(disc: &Disc, touches: &[Touch]) -> String {
     let (force, contacts) = contact_force(disc.id, touches);
     let size = (force[0] * force[0] + force[1] * force[1]).sqrt();
