@@ -288,15 +288,13 @@ impl Workbench {
                 let look = session.scene().about.look.clone();
                 self.app.pace = pace;
                 let saves = Saves::begin(&mut session);
-                self.app.folder = folder(&saves);
-                let warning = saves.warning();
+                let (folder, warning) = (folder(&saves), saves.warning());
                 self.worker
                     .order(Order::Replace(Box::new(session), pace, saves));
                 self.worker.order(Order::Go);
                 let said = [format!("{name}: {look}")].into_iter().chain(warning);
                 said.for_each(|text| self.app.say(Said::Notice(text)));
-                let journal = self.keep.as_ref().map(|keep| keep.journal.as_path());
-                self.app.keep_beside(journal);
+                self.app.keep_in(folder);
             }
             Err(error) => self.app.say(Said::Error(error)),
         }

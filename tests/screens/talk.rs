@@ -200,7 +200,7 @@ fn who_goes_back_has_exported_no_more_than_what_is_left() {
 #[test]
 fn another_run_keeps_its_files_elsewhere() {
     let mut app = app(LOOK);
-    app.keep_beside(Some("/home/someone/runs/0002/run.journal".as_ref()));
+    app.keep_in("/home/someone/runs/0002".into());
     assert_eq!(app.folder, "/home/someone/runs/0002");
     let last = app.dialogue.last();
     let Some(Said::Notice(text)) = last else {

@@ -1,7 +1,5 @@
 //! What is said, and how it gets the room to be read.
 
-use std::path::Path;
-
 use super::{App, Said};
 use crate::tui::layout::{self, Class};
 use crate::tui::panes::{self, PaneId};
@@ -21,11 +19,9 @@ impl App {
         self.dirty = true;
     }
 
-    /// Another run keeps its files beside this journal; says where those of the run before stay.
-    pub fn keep_beside(&mut self, journal: Option<&Path>) {
-        let folder = journal.and_then(Path::parent);
-        let folder = folder.map(|folder| folder.display().to_string());
-        let before = std::mem::replace(&mut self.folder, folder.unwrap_or_default());
+    /// Another run keeps its files in this folder; says where those of the run before stay.
+    pub fn keep_in(&mut self, folder: String) {
+        let before = std::mem::replace(&mut self.folder, folder);
         if !before.is_empty() {
             let text = format!("the run before is kept in {before}");
             self.say(Said::Notice(text));
