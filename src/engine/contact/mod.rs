@@ -1,7 +1,7 @@
 //! Contact laws: pure functions of named quantities, one file each, put together at compile time.
 //!
 //! A law sees a [`Touch`] and its own memory; it knows no world, no wall, no particle. A
-//! [`law::Contact`] is a normal, a tangential, a rolling and a dashpot part; [`pass`] runs one kind
+//! [`law::Contact`] is a normal, a tangential, a rolling and a dashpot part; `pass` runs one kind
 //! of contact over the list in one monomorphised loop. Each part declares its memory as an
 //! associated type, so a scene without friction stores none.
 
