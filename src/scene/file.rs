@@ -10,7 +10,7 @@ use super::catalogue::{self, PRESETS};
 use super::place::{Place, Source, quoted};
 use super::problem::Problem;
 use super::rejection::Rejection;
-use crate::measure::columns::nearest;
+use crate::measure::columns::near;
 
 /// Largest preset [bytes]: more than a hundred thousand particles. Reading takes up to fifty times
 /// as much memory, so that a larger one would be felt.
@@ -99,9 +99,8 @@ fn suggestion(name: &str) -> String {
                 .to_string()
         })
         .collect();
-    let near = nearest(name, files.iter().chain(&embedded).map(String::as_str));
-    if near.starts_with("did you mean") {
-        return near;
+    if let Some(name) = near(name, files.iter().chain(&embedded).map(String::as_str)) {
+        return format!("did you mean `{name}`?");
     }
     let files = match files.as_slice() {
         [] => String::new(),

@@ -8,7 +8,7 @@ use super::place::{Place, quoted};
 use super::problem::{Problem, Report};
 use super::reader::Reader;
 use super::start::Given;
-use crate::measure::columns::nearest;
+use crate::measure::columns::near;
 
 /// A table of presets.
 pub(crate) struct Section {
@@ -209,11 +209,9 @@ fn misshapen(section: &Section, node: &Node) -> Problem {
 /// "did you mean ...?" when a table is near a wrong name, else the list of all.
 pub(crate) fn nearest_table(wrong: &str) -> String {
     let names: Vec<&str> = super::SECTIONS.iter().map(|section| section.name).collect();
-    let near = nearest(wrong, names.iter().copied());
-    if near.starts_with("the nearest") {
-        format!("{near}; there is {}", names.join(", "))
-    } else {
-        near
+    match near(wrong, names.iter().copied()) {
+        Some(name) => format!("did you mean `{name}`?"),
+        None => format!("there is {}", names.join(", ")),
     }
 }
 

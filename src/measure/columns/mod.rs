@@ -31,7 +31,7 @@ pub use card::{Card, Kind, MARKS, Row};
 pub use column::{Column, Partner};
 pub use contact::{CONTACT, ReadContact};
 pub use material::{MATERIAL, ReadMaterial};
-pub use names::{Names, UnknownColumn, nearest};
+pub use names::{Names, UnknownColumn, near, nearest};
 pub use particle::{PARTICLE, ReadParticle};
 pub use read::Read;
 pub use wall::{ReadWall, WALL};

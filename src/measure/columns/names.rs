@@ -75,24 +75,24 @@ fn one_of(kind: &str, known: &[String], name: &str) -> Result<(), UnknownColumn>
     })
 }
 
-/// "did you mean ...?" when something is near, else the list of what there is.
+/// The name that a wrong one was meant for, if it is near enough to be that.
+pub fn near<'a>(wrong: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    let likeness = |name: &str| strsim::jaro_winkler(&wrong.to_lowercase(), &name.to_lowercase());
+    let best = known
+        .map(|name| (likeness(name), name))
+        .max_by(|a, b| a.0.total_cmp(&b.0));
+    let (score, name) = best?;
+    (score > 0.8 || is_near(wrong, name)).then_some(name)
+}
+
+/// "did you mean ...?" when something is near, else the list of what there is if it is short.
 pub fn nearest<'a>(wrong: &str, known: impl Iterator<Item = &'a str>) -> String {
     let known: Vec<&str> = known.collect();
-    let best = known
-        .iter()
-        .map(|name| {
-            (
-                strsim::jaro_winkler(&wrong.to_lowercase(), &name.to_lowercase()),
-                name,
-            )
-        })
-        .max_by(|a, b| a.0.total_cmp(&b.0));
-    match best {
-        Some((score, name)) if score > 0.8 => format!("did you mean `{name}`?"),
-        Some(_) if known.len() <= 12 => format!("there is {}", known.join(", ")),
-        Some((_, name)) if is_near(wrong, name) => format!("did you mean `{name}`?"),
-        Some(_) => format!("none of the {} names is like it", known.len()),
-        None => "there is none".into(),
+    match near(wrong, known.iter().copied()) {
+        Some(name) => format!("did you mean `{name}`?"),
+        None if known.is_empty() => "there is none".into(),
+        None if known.len() <= 12 => format!("there is {}", known.join(", ")),
+        None => format!("none of the {} names is like it", known.len()),
     }
 }
 

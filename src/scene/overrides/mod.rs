@@ -16,7 +16,7 @@ use super::key::{Form, Key};
 use super::place::{Place, Source, quoted};
 use super::problem::Problem;
 use super::section::{Section, Shape, nearest_table};
-use crate::measure::columns::nearest;
+use crate::measure::columns::{near, nearest};
 use path::{Part, parts};
 
 /// Applies the option that is source `index` to a document.
@@ -109,14 +109,10 @@ fn select<'t>(document: &'t mut Table, section: &Section, selector: &Part) -> Fo
             format!("there is {}", selectors(section, document)),
         )
     };
-    let near = {
-        let names = names(section, document);
-        nearest(&selector.text, names.iter().map(String::as_str))
-    };
-    let missing = if near.starts_with("did you mean") {
-        missing.remedy(near)
-    } else {
-        missing
+    let names = names(section, document);
+    let missing = match near(&selector.text, names.iter().map(String::as_str)) {
+        Some(name) => missing.remedy(format!("did you mean `{name}`?")),
+        None => missing,
     };
     let Some(entry) = document.get_mut(section.name) else {
         return Err(missing);

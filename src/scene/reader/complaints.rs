@@ -1,7 +1,7 @@
 //! What a reader says about keys and values that are not as declared.
 
 use super::Reader;
-use crate::measure::columns::nearest;
+use crate::measure::columns::{near, nearest};
 use crate::scene::document::{Entry, Node, Value};
 use crate::scene::key::{Absent, Bounds, Form, Key};
 use crate::scene::place::{Place, quoted};
@@ -9,16 +9,16 @@ use crate::scene::problem::Problem;
 
 impl Reader<'_> {
     pub(super) fn unknown(&self, entry: &Entry) -> Problem {
-        let near = nearest(&entry.key, self.keys.iter().map(|key| key.name));
+        let near = near(&entry.key, self.keys.iter().map(|key| key.name));
         let elsewhere: Vec<String> = crate::scene::SECTIONS
             .iter()
             .filter(|section| section.keys.iter().any(|key| key.name == entry.key))
             .map(|section| section.header("NAME"))
             .collect();
-        let remedy = match elsewhere.first() {
-            Some(_) => format!("`{}` is a key of {}", entry.key, elsewhere.join(" and of ")),
-            None if near.starts_with("the nearest") => format!("{near}; {}", self.list()),
-            None => near,
+        let remedy = match (elsewhere.first(), near) {
+            (Some(_), _) => format!("`{}` is a key of {}", entry.key, elsewhere.join(" and of ")),
+            (None, Some(name)) => format!("did you mean `{name}`?"),
+            (None, None) => self.list(),
         };
         let message = format!("{} is no key of {}", quoted(&entry.key), self.title);
         Problem::new(message, entry.place)
