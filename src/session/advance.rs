@@ -6,9 +6,10 @@
 
 use std::time::{Duration, Instant};
 
+use super::clock::Clock;
 use super::course::{Errand, Phase};
 use super::{By, Refusal, Reply, Request, RunError, Session};
-use crate::language::{Command, Expression, Term};
+use crate::language::{Command, Expression};
 use crate::measure::sample::Sample;
 use crate::record::journal::{Event, EventKind};
 
@@ -289,15 +290,9 @@ impl Session {
 
     /// Cycle counts are looked at in every cycle, columns every `check` cycles and at the beginning.
     fn condition_holds(&mut self, condition: &Expression, done: u64, check: u64) -> bool {
-        let (cycle, time) = (self.world.cycle_number() as f64, self.world.time());
-        let clock = |term: &Term| match term {
-            Term::Cycle => cycle,
-            Term::Time => time,
-            Term::StageCycle => done as f64,
-            Term::Column(_) => f64::NAN,
-        };
+        let clock = Clock::of(&self.world, done);
         // Comparisons with NaN are false: what holds without columns holds with them.
-        if condition.holds(&mut |term| clock(term)) {
+        if condition.holds(&mut |term| clock.value(term, |_| f64::NAN)) {
             return true;
         }
         let due = done == 0 || self.world.cycle_number().is_multiple_of(check.max(1));
@@ -305,10 +300,7 @@ impl Session {
             return false;
         }
         let sample = Sample::over(&mut self.world, &self.scene.regions, Some(&self.reference));
-        condition.holds(&mut |term| match term {
-            Term::Column(column) => sample.value(column),
-            other => clock(other),
-        })
+        condition.holds(&mut |term| clock.value(term, |column| sample.value(column)))
     }
 
     fn errand_done(&mut self, errand: &Errand) -> bool {

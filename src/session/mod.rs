@@ -6,6 +6,7 @@
 
 mod advance;
 mod change;
+mod clock;
 mod course;
 mod dump;
 mod error;
@@ -26,6 +27,7 @@ mod rate;
 mod reach;
 mod recording;
 mod replay;
+mod room;
 pub mod run_folder;
 mod save;
 mod save_clock;

@@ -1,9 +1,10 @@
 //! What came of cycles that ran until something holds.
 
 use super::Session;
+use super::clock::Clock;
 use super::course::Errand;
 use super::figure::rough;
-use crate::language::{Expression, Term};
+use crate::language::Expression;
 use crate::measure::sample::Sample;
 
 /// Most columns of a condition whose values are told.
@@ -17,16 +18,10 @@ impl Session {
         let (Some(text), Some(Ok(condition))) = (&errand.condition, condition) else {
             return;
         };
-        let cycle = self.world.cycle_number();
-        let done = cycle - errand.from;
-        let clock = [cycle as f64, self.world.time(), done as f64];
+        let done = self.world.cycle_number() - errand.from;
+        let clock = Clock::of(&self.world, done);
         let sample = Sample::over(&mut self.world, &self.scene.regions, Some(&self.reference));
-        let holds = condition.holds(&mut |term| match term {
-            Term::Cycle => clock[0],
-            Term::Time => clock[1],
-            Term::StageCycle => clock[2],
-            Term::Column(column) => sample.value(column),
-        });
+        let holds = condition.holds(&mut |term| clock.value(term, |column| sample.value(column)));
         let columns = condition.columns().into_iter().take(MOST_TOLD);
         let values = columns.map(|column| {
             let value = rough(sample.value(&column));
