@@ -7,7 +7,7 @@ use clap::CommandFactory;
 use clap::error::ErrorKind;
 
 use super::Cli;
-use crate::measure::columns::nearest;
+use crate::measure::columns::near;
 use crate::scene::catalogue::{self, PRESETS};
 
 /// What was meant, if the first word is near the name of a command and is nothing else.
@@ -35,10 +35,7 @@ pub(super) fn advice(
         return None;
     }
     let presets = PRESETS.iter().map(|preset| preset.name);
-    let near = nearest(&first, presets.chain(commands.iter().copied()));
-    let meant = near
-        .strip_prefix("did you mean `")
-        .and_then(|rest| rest.strip_suffix("`?"))
+    let meant = near(&first, presets.chain(commands.iter().copied()))
         .filter(|name| commands.contains(name))?;
     Some(format!(
         "`{first}` is neither a command nor a preset; did you mean `ballast {meant}`?"

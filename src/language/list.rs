@@ -1,9 +1,10 @@
 //! The list of commands. Reading, help, completion and the table in the README derive from it.
 
 use super::command::Command;
-use super::mistake::{Mistake, either, near, shown};
+use super::mistake::{Mistake, either, shown};
 use super::verbs;
 use super::words::Words;
+use crate::measure::columns::near;
 use std::fmt::Write as _;
 use std::ops::Range;
 

@@ -51,23 +51,6 @@ pub(crate) fn shown(word: &str) -> String {
     format!("`{text}`")
 }
 
-/// The option nearest to a wrong word, if any is near.
-pub(crate) fn near<'a>(wrong: &str, options: impl Iterator<Item = &'a str>) -> Option<&'a str> {
-    // A word this long resembles nothing, and comparing it takes time.
-    if wrong.len() > 4 * LONGEST_SHOWN {
-        return None;
-    }
-    let wrong = wrong.to_lowercase();
-    options
-        .map(|option| {
-            let score = strsim::jaro_winkler(&wrong, &option.to_lowercase());
-            (score, option)
-        })
-        .filter(|(score, _)| *score > 0.8)
-        .max_by(|a, b| a.0.total_cmp(&b.0))
-        .map(|(_, option)| option)
-}
-
 /// "`a`, `b` or `c`".
 pub(crate) fn either(options: &[&str]) -> String {
     match options {
@@ -85,14 +68,6 @@ mod tests {
     fn long_and_unprintable_words_are_tamed() {
         assert_eq!(shown("cyc\u{7}le"), "`cyc\u{fffd}le`");
         assert_eq!(shown(&"x".repeat(1000)).len(), LONGEST_SHOWN + 5);
-    }
-
-    #[test]
-    fn the_nearest_option_is_found_only_when_it_is_near() {
-        let options = ["velocity", "spin"];
-        assert_eq!(near("velocty", options.into_iter()), Some("velocity"));
-        assert_eq!(near("zzz", options.into_iter()), None);
-        assert_eq!(near(&"velocity".repeat(1000), options.into_iter()), None);
     }
 
     #[test]

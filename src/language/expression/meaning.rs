@@ -2,7 +2,8 @@
 
 use super::syntax::{Form, Operator, Syntax};
 use super::tree::{Arithmetic, Comparison, Condition, Number};
-use crate::language::mistake::{Mistake, near};
+use crate::language::mistake::Mistake;
+use crate::measure::columns::near;
 
 /// Either type of expression.
 #[derive(Debug, Clone, PartialEq)]

@@ -4,9 +4,9 @@ use super::meaning::{Leaf, arguments_expected};
 use super::syntax::{Form, Syntax};
 use super::tree::Number;
 use crate::language::definition::Definitions;
-use crate::language::mistake::{Mistake, near, shown};
+use crate::language::mistake::{Mistake, shown};
 use crate::language::name::numeric_column;
-use crate::measure::columns::Column;
+use crate::measure::columns::{Column, near};
 use std::fmt;
 use std::ops::Range;
 

@@ -2,7 +2,8 @@
 
 use super::{Wanted, Words};
 use crate::language::list::{self, Card};
-use crate::language::mistake::{Mistake, either, near, shown};
+use crate::language::mistake::{Mistake, either, shown};
+use crate::measure::columns::near;
 use std::borrow::Cow;
 
 impl Words<'_> {

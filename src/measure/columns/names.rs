@@ -75,8 +75,14 @@ fn one_of(kind: &str, known: &[String], name: &str) -> Result<(), UnknownColumn>
     })
 }
 
+/// A word longer than this [bytes] resembles nothing, and comparing it takes time.
+const LONGEST: usize = 160;
+
 /// The name that a wrong one was meant for, if it is near enough to be that.
 pub fn near<'a>(wrong: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    if wrong.len() > LONGEST {
+        return None;
+    }
     let likeness = |name: &str| strsim::jaro_winkler(&wrong.to_lowercase(), &name.to_lowercase());
     let best = known
         .map(|name| (likeness(name), name))
@@ -112,5 +118,13 @@ mod tests {
         let answer = |wrong: &str| nearest(wrong, names.iter().map(String::as_str));
         assert_eq!(answer("nothing"), "none of the 20 names is like it");
         assert_eq!(answer("roling-disc-3"), "did you mean `rolling-disc-3`?");
+    }
+
+    #[test]
+    fn the_nearest_name_is_found_only_when_it_is_near() {
+        let names = ["velocity", "spin"];
+        assert_eq!(near("velocty", names.into_iter()), Some("velocity"));
+        assert_eq!(near("zzz", names.into_iter()), None);
+        assert_eq!(near(&"velocity".repeat(1000), names.into_iter()), None);
     }
 }

@@ -3,8 +3,8 @@
 
 use super::{App, Effect};
 use crate::language::COMMANDS;
-use crate::language::mistake::{either, near, shown};
-use crate::measure::columns::nearest;
+use crate::language::mistake::{either, shown};
+use crate::measure::columns::{near, nearest};
 use crate::scene::catalogue::PRESETS;
 use crate::session::worker::Order;
 use crate::tui::panes::PANES;
