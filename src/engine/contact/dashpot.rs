@@ -6,7 +6,7 @@
 use super::numbers::{Numbers, Reading, Writing, Written, numbers};
 use super::parts::{Dashpots, Viscosity};
 use super::plain::{PlainConstant, PlainFollowing};
-use super::quantities::{Basis, Touch};
+use super::quantities::{Basis, BasisOwned, Touch};
 use crate::engine::lanes::Lanes;
 
 /// No dashpot.
@@ -262,6 +262,13 @@ impl Viscosity for Following {
             }
         })
     }
+}
+
+/// Normal and tangential viscosity [N s/m] of a contact that is made of this, beside springs of this
+/// stiffness [N/m], at an overlap [m].
+pub fn viscosity(basis: &BasisOwned, k: [f64; 2], overlap: f64) -> [f64; 2] {
+    let dashpot = <Following as Viscosity>::prepare(&basis.lend(false));
+    Viscosity::viscosity(&dashpot, k, overlap)
 }
 
 /// The fraction b of critical that gives a coefficient of restitution beside a Hertz spring, with

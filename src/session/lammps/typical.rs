@@ -1,6 +1,8 @@
 //! The contact that stands for all of two materials, where LAMMPS takes one number for them.
 
 use crate::engine::World;
+use crate::engine::contact::dashpot;
+use crate::engine::contact::quantities::BasisOwned;
 use crate::engine::contact_report::Other;
 
 /// Overlap over effective radius of a contact that is supposed. The number matters little: what follows
@@ -77,7 +79,14 @@ impl Typical {
             let contact_radius = radius * OVERLAP.sqrt();
             (2.0 * pair.young * contact_radius, contact_radius)
         };
-        let c = 2.0 * pair.fraction[0] * (mass * stiffness).sqrt() + pair.beta[0] * stiffness;
+        let basis = BasisOwned {
+            pair: *pair,
+            m_eff: mass,
+            r_eff: radius,
+            critical_above: f64::INFINITY,
+            nodes: 0,
+        };
+        let [c, _] = dashpot::viscosity(&basis, [stiffness, 0.0], 0.0);
         Self {
             mass,
             gamma: c / (mass * scale),
