@@ -149,7 +149,7 @@ impl<'a> Outlook<'a> {
         )
     }
 
-    /// The same if it is less than `least`, or anything that is not [s].
+    /// The bound for one particle if that is less than `least`, or anything that is not [s].
     fn stable_step_below(&self, p: usize, least: f64) -> f64 {
         let world = self.world;
         let held = |&[i, j]: &[u32; 2]| {

@@ -116,7 +116,7 @@ impl World {
         self.keep_only(&stays);
     }
 
-    /// Removes those particles of all that do not stay; the others keep their numbers.
+    /// Removes the particles that do not stay; the others keep their numbers. `stays` has one for each.
     pub fn keep_only(&mut self, stays: &[bool]) {
         self.booked(|world| {
             world.particles.keep_only(stays);
