@@ -71,8 +71,7 @@ fn folders_are_modules_with_a_mod_file() {
 fn descriptions_name_only_what_exists() {
     let files = files_below(".");
     hold(["README.md", "data/README.md"].iter().flat_map(|readme| {
-        // The front page comes after the parts it describes; until then there is nothing to check.
-        let text = read(readme).unwrap_or_default();
+        let text = read(readme).expect(readme);
         let mut complaints = file_rules::named_paths(readme, &text, &files);
         complaints.extend(file_rules::named_presets(readme, &text, &files));
         complaints

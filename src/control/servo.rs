@@ -14,6 +14,7 @@ use crate::engine::World;
 use crate::engine::boundary::Tensor;
 use crate::measure::bearing::Bearing;
 use crate::measure::region::{Content, Shape};
+use crate::measure::tensor::Principal;
 
 /// Time constant of the integral, in time constants of the servo.
 const INTEGRAL: f64 = 4.0;
@@ -91,7 +92,8 @@ impl Servo {
             .goals
             .iter()
             .fold(0.0, |most: f64, (_, target)| most.max(wanted(target).abs()));
-        let scale = scale.max(stress[0][0].abs());
+        let circle = Principal::of(&bearing.stress);
+        let scale = scale.max(circle.centre().abs() + circle.radius());
         let pace = Pace::of(world, &content, bearing.modulus, scale);
         let interval = EVERY as f64 * world.dt();
         let mut rate = [[0.0; 2]; 2];

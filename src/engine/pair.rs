@@ -68,10 +68,7 @@ impl PairTable {
         let mut pairs = Vec::with_capacity(2 * m.len() * m.len());
         for a in 0..m.len() {
             for b in 0..m.len() {
-                let special = setup
-                    .pairs
-                    .iter()
-                    .rfind(|p| p.materials == [a, b] || p.materials == [b, a]);
+                let special = setup.pair([a, b]);
                 for wall in [false, true] {
                     pairs.push(combine(setup, &m[a], &m[b], special, wall));
                 }

@@ -263,7 +263,8 @@ pub struct Setup {
     pub boundary: Option<BoundarySetup>,
     /// Strain rate that the boundary imposes from the start [1/s].
     pub strain_rate: Tensor,
-    /// Halo within which a pair is listed [m]; `None`: a tenth of the smallest radius.
+    /// Halo within which a pair is listed [m]; `None`: chosen from how far particles move, a tenth of the
+    /// smallest radius at first.
     pub tol: Option<f64>,
     /// FRACC is evaluated every so many cycles.
     pub fracc_every: u32,
@@ -274,6 +275,12 @@ pub struct Setup {
 }
 
 impl Setup {
+    /// What overrides a pair of materials, named in either order; the last that does.
+    pub fn pair(&self, [a, b]: [usize; 2]) -> Option<&PairOverride> {
+        let same = |pair: &&PairOverride| pair.materials == [a, b] || pair.materials == [b, a];
+        self.pairs.iter().rfind(same)
+    }
+
     /// The same without particles and walls, of which there may be many.
     pub(super) fn without_bodies(&self) -> Self {
         Self {

@@ -107,10 +107,6 @@ impl World {
         setup.particles = Vec::new();
         let walls = setup.walls.iter().map(|w| Wall::new(w, origin)).collect();
         let count = particles.len();
-        let smallest = particles.smallest_radius();
-        let tol = setup.tol.unwrap_or(0.1 * smallest);
-        let [low, high] = particles.extent();
-        let size = (high[0] - low[0]).max(high[1] - low[1]).max(0.0) + 2.0 * smallest;
         let pairs = PairTable::new(&setup);
         let rate = setup.strain_rate;
         let own = setup
@@ -140,9 +136,9 @@ impl World {
             fracc: FraccMonitor::default(),
             step_changes: StepChanges::default(),
             looks: Looks::default(),
-            tol: if tol.is_finite() { tol } else { 1.0 },
+            tol: 1.0,
             critical_above: f64::INFINITY,
-            size,
+            size: 0.0,
             place: PassPlace::default(),
             seen: Seen::default(),
             loads: Vec::new(),
@@ -151,7 +147,7 @@ impl World {
             clock: None,
             model: setup.without_bodies(),
         };
-        world.join_walls();
+        world.size_up();
         world.found_ring();
         world.replan();
         world.retime();
@@ -169,7 +165,7 @@ impl World {
     /// Uses other vector instructions; what is worked out stays the same.
     ///
     /// # Panics
-    /// If this processor has them not.
+    /// If this processor lacks them.
     pub fn use_instructions(&mut self, isa: Isa) {
         assert!(isa.is_here(), "this processor has no {isa}");
         self.isa = isa;
@@ -355,6 +351,23 @@ impl World {
             };
             let applied = p.applied(k);
             p.body.push([m * g[0] + applied[0], m * g[1] + applied[1]]);
+        }
+    }
+
+    /// Takes note of how large the scene is, once there are particles. The first of them say how wide
+    /// the first list is, unless the setup does, and how near ends of walls are one point.
+    pub(super) fn size_up(&mut self) {
+        if self.particles.is_empty() {
+            return;
+        }
+        let smallest = self.particles.smallest_radius();
+        let [low, high] = self.particles.extent();
+        let size = (high[0] - low[0]).max(high[1] - low[1]).max(0.0) + 2.0 * smallest;
+        let first = self.size == 0.0;
+        self.size = self.size.max(size);
+        if first {
+            self.tol = self.model.tol.unwrap_or(0.1 * smallest);
+            self.join_walls();
         }
     }
 

@@ -46,7 +46,7 @@ impl Assembly {
         let (mut sum, mut max_force) = (0.0, 0f64);
         // Particles of a ring overlap each other by any amount: what they press with balances nothing.
         let (mut carried, mut carrying, mut max_carried) = (0.0, 0.0, 0f64);
-        let driven = |p: usize| world.particles().fixed[p][..2] == [true; 2];
+        let held = |p: usize| world.particles().is_held(p);
         let mut degrees = vec![0u32; world.particles().len()];
         for link in Link::all(world).filter(Link::is_touching) {
             count_ends(&link, &mut degrees);
@@ -62,7 +62,7 @@ impl Assembly {
             let force = length([link.normal, link.tangential]);
             sum += weight * force;
             max_force = max_force.max(force);
-            if !driven(link.first) || link.second().is_some_and(|second| !driven(second)) {
+            if !held(link.first) || link.second().is_some_and(|second| !held(second)) {
                 carried += weight * force;
                 carrying += weight;
                 max_carried = max_carried.max(force);
@@ -119,10 +119,10 @@ fn out_of_balance(world: &World, inside: &[bool]) -> (f64, f64) {
     let particles = world.particles();
     let (mut free, mut sum, mut most) = (0.0, 0.0, 0f64);
     for p in (0..particles.len()).filter(|&p| inside[p]) {
-        let fixed = particles.fixed[p];
-        if fixed[0] && fixed[1] {
+        if particles.is_held(p) {
             continue;
         }
+        let fixed = particles.fixed[p];
         let body = particles.body.get(p).copied().unwrap_or([0.0; 2]);
         let rest = [0, 1].map(|k| {
             if fixed[k] {

@@ -2,12 +2,11 @@
 //! besides, and how fast that is against the stress.
 
 use nalgebra::{Matrix2, Vector2};
-use std::f64::consts::PI;
 
 use super::affine::Affine;
 use super::tensor::{self, ratio};
 use crate::engine::World;
-use crate::engine::setup::Body;
+use crate::engine::particles::Inertia;
 
 /// Flow of a region; NaN for fewer than three particles that span a triangle.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,7 +34,8 @@ impl Flow {
             .collect();
         let count = moves.len() as f64;
         let radius = |p: usize| particles.row[p].radius;
-        let volume = |p: usize| volume(world.model().body, radius(p));
+        // What it weighs at a density of 1.
+        let volume = |p: usize| Inertia::of(world.model().body, radius(p), 1.0).mass;
         let diameter = 2.0 * ratio(own().map(radius).sum(), count);
         let mass = own().map(|p| particles.mass[p]).sum();
         let density = ratio(mass, own().map(volume).sum());
@@ -66,13 +66,5 @@ impl Flow {
         } else {
             f64::NAN
         }
-    }
-}
-
-/// Of a disc of unit length or a sphere [m³].
-fn volume(body: Body, radius: f64) -> f64 {
-    match body {
-        Body::Disc => PI * radius * radius,
-        Body::Sphere => 4.0 / 3.0 * PI * radius * radius * radius,
     }
 }

@@ -27,7 +27,7 @@ impl Redundancy {
     pub fn of(world: &World, inside: &[bool]) -> Self {
         let degrees = degrees(world);
         let fixed = &world.particles().fixed;
-        let is_held = |p: usize| fixed[p][0] && fixed[p][1];
+        let is_held = |p: usize| world.particles().is_held(p);
         let bears = |p: usize| degrees[p] > 1 || is_held(p);
         let rolling = world.pass().rolling();
         let turns = world.pass().tangential() && world.model().rotation;

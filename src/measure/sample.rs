@@ -196,14 +196,22 @@ impl<'a> Sample<'a> {
     }
 }
 
-/// Number of the listed contact between a particle and its partner.
+/// Number of the listed contact between a particle and its partner. In a small cell two particles may
+/// be listed through several images: one that touches comes before those that do not.
 pub fn find_contact(world: &World, i: u32, partner: &Partner) -> Option<usize> {
     let list = world.contacts();
     let i = world.particles().index(i)? as u32;
     match partner {
         Partner::Particle(j) => {
             let j = world.particles().index(*j)? as u32;
-            list.pairs.binary_search(&[i.min(j), i.max(j)]).ok()
+            let pair = [i.min(j), i.max(j)];
+            let first = list.pairs.partition_point(|other| *other < pair);
+            let count = list.pairs[first..]
+                .iter()
+                .take_while(|other| **other == pair);
+            let mut same = first..first + count.count();
+            let touching = same.clone().find(|&k| list.status[k] != Status::Apart);
+            touching.or(same.next())
         }
         Partner::Wall(name) => {
             let w = world.walls().iter().position(|wall| wall.name == *name)? as u32;

@@ -68,7 +68,7 @@ pub(super) fn projected(part: &Matrix2<f64>, whole: &Matrix2<f64>) -> f64 {
 }
 
 /// The same line with an angle in [0, 180) [degrees].
-pub(super) fn half_turn(degrees: f64) -> f64 {
+pub fn half_turn(degrees: f64) -> f64 {
     within(degrees, 180.0)
 }
 

@@ -7,9 +7,9 @@
 use std::time::{Duration, Instant};
 
 use super::clock::Clock;
-use super::course::{Errand, Phase};
+use super::course::Phase;
 use super::{By, Refusal, Reply, Request, RunError, Session};
-use crate::language::{Command, Expression};
+use crate::language::Command;
 use crate::measure::sample::Sample;
 use crate::record::journal::{Event, EventKind};
 
@@ -40,6 +40,12 @@ const BETWEEN_LOOKS: u32 = 16;
 const LOOK_TIME: Duration = Duration::from_micros(200);
 
 impl Session {
+    /// Whether the user wants to see every boundary of what runs now.
+    pub fn shows_each(&self) -> bool {
+        let errand = self.course.user_errand.as_ref();
+        errand.is_some_and(|errand| errand.shown)
+    }
+
     /// Runs a batch. When all stages are done it goes on only for what the user asked for, or if
     /// `free` up to the cycle of the budget.
     pub fn advance(&mut self, budget: Budget, free: bool) -> Result<Progress, RunError> {
@@ -82,9 +88,8 @@ impl Session {
     /// One cycle and what belongs to the boundary it arrives at.
     pub(super) fn cycle(&mut self) -> Result<(), RunError> {
         self.first_row()?;
-        if self.world.cycle_number() == 0 {
-            self.dump(false)?;
-        }
+        // That of cycle 0, or one that failed before this run was resumed.
+        self.dump(false)?;
         self.steer();
         if let Err(fault) = self.world.cycle() {
             return Err(self.stopped(fault.into()));
@@ -124,20 +129,15 @@ impl Session {
     /// What the user asked for comes before what stages do at the same boundary. True when all of
     /// it is done.
     fn user_turn(&mut self) -> bool {
-        let Some(errand) = self.course.user_errand.clone() else {
-            return if self.course.user_lines.is_empty() {
-                false
-            } else {
-                self.user_line()
-            };
-        };
-        if !self.errand_done(&errand) {
-            return false;
+        let asked = self.course.user_errand.is_some();
+        if asked {
+            if !self.errand_done(By::User) {
+                return false;
+            }
+            self.tell_verdict(By::User);
         }
-        self.course.user_errand = None;
-        self.tell_verdict(&errand, "");
         if self.course.user_lines.is_empty() {
-            true
+            asked
         } else {
             self.user_line()
         }
@@ -193,8 +193,9 @@ impl Session {
                     done?;
                 }
                 Phase::Running => return Ok(()),
-                Phase::Over if self.course.stage + 1 >= stages => return Ok(()),
+                Phase::Over if self.course.stage + 1 >= stages => return self.dump(true),
                 Phase::Over => {
+                    self.dump(true)?;
                     self.course.stage += 1;
                     self.course.phase = Phase::Ahead;
                 }
@@ -214,14 +215,10 @@ impl Session {
     /// What ends at this boundary: cycles that a stage's command asked for, its commands, the stage.
     fn notice_ends(&mut self) -> Result<(), RunError> {
         if self.course.phase == Phase::Issuing {
-            if let Some(errand) = self.course.errand.clone() {
-                if !self.errand_done(&errand) {
-                    return Ok(());
-                }
-                self.course.errand = None;
-                let place = format!("stage {}: ", self.stage_name());
-                self.tell_verdict(&errand, &place);
+            if !self.errand_done(By::Stage) {
+                return Ok(());
             }
+            self.tell_verdict(By::Stage);
             if !self.course.lines.is_empty() {
                 return Ok(());
             }
@@ -267,13 +264,8 @@ impl Session {
             return;
         };
         let done = self.stage_cycle();
-        let check = stage
-            .check_every
-            .or(self.scene.check_every)
-            .unwrap_or(self.recording.every);
-        let condition = stage.until.clone();
-        let limit = stage.max_cycles.or(condition.is_none().then_some(0));
-        if condition.is_some_and(|condition| self.condition_holds(&condition, done, check)) {
+        let limit = stage.max_cycles.or(stage.until.is_none().then_some(0));
+        if self.stage_condition_holds(done) {
             self.course.phase = Phase::Over;
         } else if limit.is_some_and(|limit| done >= limit) {
             self.course.phase = Phase::Over;
@@ -288,34 +280,38 @@ impl Session {
         }
     }
 
-    /// Cycle counts are looked at in every cycle, columns every `check` cycles and at the beginning.
-    fn condition_holds(&mut self, condition: &Expression, done: u64, check: u64) -> bool {
-        let clock = Clock::of(&self.world, done);
-        // Comparisons with NaN are false: what holds without columns holds with them.
-        if condition.holds(&mut |term| clock.value(term, |_| f64::NAN)) {
-            return true;
-        }
-        let due = done == 0 || self.world.cycle_number().is_multiple_of(check.max(1));
-        if !condition.needs_sample() || !due {
+    /// Whether the condition of this stage holds; false without one.
+    fn stage_condition_holds(&mut self, done: u64) -> bool {
+        let stage = &self.scene.stages[self.course.stage];
+        let Some(condition) = &stage.until else {
             return false;
-        }
-        let sample = Sample::over(&mut self.world, &self.scene.regions, Some(&self.reference));
-        condition.holds(&mut |term| clock.value(term, |column| sample.value(column)))
+        };
+        let check = stage.check_every.or(self.scene.check_every);
+        let check = check.unwrap_or(self.recording.every);
+        let against = (&self.scene.regions[..], &self.reference);
+        Clock::of(&self.world, done).holds(condition, check, &mut self.world, against)
     }
 
-    fn errand_done(&mut self, errand: &Errand) -> bool {
-        if errand
-            .until_cycle
-            .is_some_and(|last| self.world.cycle_number() >= last)
-        {
+    /// Whether the cycles that a command of the user or of the stage asked for are done.
+    fn errand_done(&mut self, by: By) -> bool {
+        let Some(errand) = self.course.errand_of(by) else {
+            return true;
+        };
+        let cycle = self.world.cycle_number();
+        if errand.until_cycle.is_some_and(|last| cycle >= last) {
             return true;
         }
-        let done = self.world.cycle_number() - errand.from;
+        let Some(condition) = &errand.condition else {
+            return false;
+        };
         let check = self.scene.check_every.unwrap_or(self.recording.every);
-        let condition = errand.condition.as_deref().map(Expression::parse_condition);
-        condition
-            .and_then(Result::ok)
-            .is_some_and(|condition| self.condition_holds(&condition, done, check))
+        let against = (&self.scene.regions[..], &self.reference);
+        Clock::of(&self.world, cycle - errand.from).holds(
+            condition,
+            check,
+            &mut self.world,
+            against,
+        )
     }
 
     /// The row of cycle 0, when the first cycle is about to run.

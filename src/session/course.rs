@@ -4,6 +4,9 @@ use std::collections::VecDeque;
 
 use serde::{Deserialize, Serialize};
 
+use super::By;
+use crate::language::Expression;
+
 /// Position in the stages. The end of a stage is noticed at the boundary where it comes; the next
 /// stage begins only when the run goes on, so that a command typed at that boundary comes first,
 /// live and in a replay.
@@ -46,10 +49,14 @@ pub(super) enum Phase {
 pub struct Errand {
     /// Last cycle.
     pub until_cycle: Option<u64>,
-    /// Condition, as text.
-    pub condition: Option<String>,
+    /// It ends earlier when this holds.
+    #[serde(with = "as_text")]
+    pub condition: Option<Expression>,
     /// Cycle at which it began.
     pub from: u64,
+    /// Whether every boundary on the way is to be shown, not only where it ends.
+    #[serde(skip)]
+    pub shown: bool,
 }
 
 impl Course {
@@ -58,9 +65,49 @@ impl Course {
         stages == 0 || self.done(stages) >= stages
     }
 
+    /// Cycles that somebody asked for.
+    pub(super) fn errand_of(&self, by: By) -> Option<&Errand> {
+        match by {
+            By::User => self.user_errand.as_ref(),
+            By::Stage => self.errand.as_ref(),
+        }
+    }
+
+    /// The same, and forgets them.
+    pub(super) fn end_errand(&mut self, by: By) -> Option<Errand> {
+        match by {
+            By::User => self.user_errand.take(),
+            By::Stage => self.errand.take(),
+        }
+    }
+
     /// How many stages have ended.
     pub(super) fn done(&self, stages: usize) -> usize {
         let own = usize::from(self.phase == Phase::Over);
         (self.stage + own).min(stages)
+    }
+}
+
+/// A condition is kept as it would be typed.
+mod as_text {
+    use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
+
+    use crate::language::Expression;
+
+    #[allow(clippy::ref_option, reason = "the form that serde calls")]
+    pub(super) fn serialize<S: Serializer>(
+        condition: &Option<Expression>,
+        to: S,
+    ) -> Result<S::Ok, S::Error> {
+        condition.as_ref().map(ToString::to_string).serialize(to)
+    }
+
+    pub(super) fn deserialize<'a, D: Deserializer<'a>>(
+        from: D,
+    ) -> Result<Option<Expression>, D::Error> {
+        let text = Option::<String>::deserialize(from)?;
+        let read = |text: String| Expression::parse_condition(&text);
+        let mistaken = |mistake| D::Error::custom(format!("condition of a command: {mistake}"));
+        text.map(read).transpose().map_err(mistaken)
     }
 }

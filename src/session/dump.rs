@@ -32,7 +32,6 @@ impl Session {
         if !due || self.dumped == Some(cycle) {
             return Ok(());
         }
-        self.dumped = Some(cycle);
         let Some(stem) = &self.dump_stem else {
             return Ok(());
         };
@@ -45,6 +44,8 @@ impl Session {
                 Format::Vtk => whole_file::write(&path, &tables::polydata(&sample, *of).bytes())?,
             }
         }
+        // Not before all are there: a run that is resumed makes good what failed.
+        self.dumped = Some(cycle);
         Ok(())
     }
 }

@@ -113,7 +113,14 @@ impl Session {
         match self.world.fault() {
             Some(fault) if builds_on_it && self.world.is_broken() => Err(Refusal::new(
                 format!("the run cannot go on: {fault}"),
-                "restore an earlier state first",
+                match self.safe_cycle() {
+                    Some(cycle) => {
+                        format!("first restore an earlier state, such as that of cycle {cycle}")
+                    }
+                    None => {
+                        "no earlier state was kept: change the preset and begin anew".to_owned()
+                    }
+                },
             )),
             _ => Ok(()),
         }
@@ -132,7 +139,14 @@ impl Session {
 
     fn carry_out(&mut self, command: &Command, by: By) -> Result<Reply, Refusal> {
         match command {
-            Command::Cycle(n) | Command::Step(n) => Ok(self.run_to(Some(*n), None, by)),
+            Command::Cycle(n) => Ok(self.run_to(Some(*n), None, by)),
+            Command::Step(n) => {
+                let reply = self.run_to(Some(*n), None, by);
+                if let Some(errand) = &mut self.course.user_errand {
+                    errand.shown = by == By::User;
+                }
+                Ok(reply)
+            }
             Command::Solve(solve) => {
                 let columns = command
                     .awaits()
@@ -141,10 +155,13 @@ impl Session {
                 if let Some(column) = columns.iter().find(|column| column.card().ledger) {
                     self.check_booked(&column.name())?;
                 }
+                let balanced = |ratio: f64| {
+                    Expression::parse_condition(&format!("unbalanced <= {}", number::format(ratio)))
+                };
                 let condition = match &solve.goal {
-                    Some(Goal::Until(condition)) => condition.to_string(),
-                    Some(Goal::Ratio(ratio)) => format!("unbalanced <= {}", number::format(*ratio)),
-                    None => format!("unbalanced <= {}", number::format(SOLVED)),
+                    Some(Goal::Until(condition)) => condition.clone(),
+                    Some(Goal::Ratio(ratio)) => balanced(*ratio)?,
+                    None => balanced(SOLVED)?,
                 };
                 Ok(self.run_to(solve.max, Some(condition), by))
             }
@@ -201,13 +218,14 @@ impl Session {
         }
     }
 
-    fn run_to(&mut self, cycles: Option<u64>, condition: Option<String>, by: By) -> Reply {
+    fn run_to(&mut self, cycles: Option<u64>, condition: Option<Expression>, by: By) -> Reply {
         let from = self.world.cycle_number();
         let until_cycle = cycles.map(|n| from.saturating_add(n));
         let errand = Some(Errand {
             until_cycle,
             condition,
             from,
+            shown: false,
         });
         match by {
             By::User => self.course.user_errand = errand,

@@ -141,7 +141,7 @@ impl Session {
         false
     }
 
-    /// Says that no good state could be kept; what is so every two seconds is said once.
+    /// Says that no good state could be kept; a fault that comes back every two seconds is said once.
     fn tell_once(&mut self, fault: &CheckpointFault) {
         if self.safe_fault.as_ref() != Some(fault) {
             let remedy = fault.remedy();
@@ -310,8 +310,15 @@ impl Session {
         self.follow_anew();
         let noted = self.note_at(left, kind);
         self.keep_safe();
-        self.rewrite_history(&shown)?;
-        noted
+        let rewritten = self.rewrite_history(&shown);
+        // The run is back whatever became of its files.
+        for (file, done) in [("journal", noted), ("history", rewritten)] {
+            if let Err(error) = done {
+                self.notices
+                    .push(format!("the {file} does not follow the way back: {error}"));
+            }
+        }
+        Ok(())
     }
 
     /// The file being written shall hold one row for each cycle number, in the columns it began

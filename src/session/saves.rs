@@ -99,7 +99,7 @@ impl Saves {
     /// Saves the state, then ends the journal: a replay has to know how far the run went, and what goes
     /// on from the checkpoint goes on as if nothing had ended.
     pub fn close(&mut self, session: &mut Session) {
-        // What it says is in `fault`: whoever could be told is about to go.
+        // Whoever could be told is about to go; `fault` says why there is no later state.
         drop(self.save(session, AT_ONCE));
         self.unended = session.finish().err().map(|error| error.to_string());
     }

@@ -26,7 +26,7 @@ const BATCH: Duration = Duration::from_millis(5);
 pub enum Order {
     /// A typed line.
     Line(String),
-    /// Run, pause, or the other of the two.
+    /// Run.
     Go,
     /// Stop at the next boundary.
     Pause,
@@ -218,11 +218,16 @@ impl Desk {
             self.saves.close(&mut self.session);
             return false;
         }
-        if self.running && self.pacing.wait(Instant::now()).is_zero() {
+        if self.running && !self.is_held() && self.pacing.wait(Instant::now()).is_zero() {
             self.run_batch();
         }
         self.post();
         true
+    }
+
+    /// Whether the screen is to see this boundary before the next.
+    fn is_held(&self) -> bool {
+        self.changed && self.session.shows_each()
     }
 
     /// Carries out what has been ordered; waits when there is nothing else to do. False: stop.
@@ -230,7 +235,7 @@ impl Desk {
         loop {
             // A frame that found the mailbox full goes out as soon as it is empty.
             let mut patience = Duration::from_millis(if self.changed { 20 } else { 1000 });
-            if self.running {
+            if self.running && !self.is_held() {
                 patience = patience.min(self.pacing.wait(Instant::now()));
             }
             let order = match self.inbox.recv_timeout(patience) {
@@ -308,6 +313,7 @@ impl Desk {
         let before = self.session.world().cycle_number();
         // A slow pace runs a few cycles and waits; a fast one is cut into batches.
         let until_cycle = match self.pacing.cycles() {
+            _ if self.session.shows_each() => Some(before + 1),
             Some(cycles) => Some(before.saturating_add(cycles)),
             None => self.free.then_some(u64::MAX),
         };

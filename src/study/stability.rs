@@ -29,6 +29,8 @@ pub enum Stability {
     Gained(String),
     /// It ended in a fault: which.
     Failed(String),
+    /// Nobody knows: the study was ended in the middle of it, and so far it was.
+    Unfinished,
     /// Nobody knows: the study was ended before.
     NotRun,
 }
@@ -39,11 +41,22 @@ impl Stability {
         *self == Self::Stable
     }
 
+    /// The same of a run that was ended before its end: that it would have stayed so nobody knows.
+    #[must_use]
+    pub(super) fn so_far(self) -> Self {
+        if self.is_stable() {
+            Self::Unfinished
+        } else {
+            self
+        }
+    }
+
     /// Why it did not; empty if it did.
     pub fn reason(&self) -> &str {
         match self {
             Self::Stable => "",
             Self::Gained(what) | Self::Failed(what) => what,
+            Self::Unfinished => "not finished",
             Self::NotRun => "not run",
         }
     }

@@ -59,7 +59,11 @@ impl Trace {
             contacts: watch.touching() as f64 / world.cycle_number() as f64,
             frac_limit: watch.frac_limit(),
             energy_error: watch.energy_error(),
-            stability: watch.verdict(),
+            stability: if complete {
+                watch.verdict()
+            } else {
+                watch.verdict().so_far()
+            },
             cut_short: session.cut_short().to_vec(),
             recording: session.recording().clone(),
             complete,

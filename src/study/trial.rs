@@ -58,7 +58,7 @@ impl Trial {
 
     fn look(&mut self) {
         let world = self.session.world();
-        let (frac, limit) = (world.model().frac, world.frac_limit());
+        let (frac, limit) = (world.frac(), world.frac_limit());
         let (_, old_frac, old_limit) = self.nearest;
         if frac / limit > old_frac / old_limit {
             self.nearest = (world.cycle_number(), frac, limit);

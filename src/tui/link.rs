@@ -60,6 +60,14 @@ impl Line {
     }
 }
 
+/// Longest wait before the line is looked at again, however slow it is.
+const LONGEST: Duration = Duration::from_secs(60);
+
+fn pause(seconds: f64) -> Duration {
+    let pause = Duration::try_from_secs_f64(seconds);
+    pause.map_or(LONGEST, |pause| pause.min(LONGEST))
+}
+
 impl Link {
     /// A line with this budget [bytes/s] and rate [1/s].
     pub fn new(line: Line) -> Self {
@@ -78,12 +86,10 @@ impl Link {
     /// Time until a frame may be drawn: zero, now.
     pub fn wait(&mut self, now: Instant) -> Duration {
         self.fill(now);
-        let beat = Duration::from_secs_f64(1.0 / self.fps);
+        let beat = pause(1.0 / self.fps);
         let by_rate = beat.saturating_sub(now - self.drawn);
         match self.budget {
-            Some(budget) if self.tokens <= 0.0 => {
-                by_rate.max(Duration::from_secs_f64(-self.tokens / budget + 0.001))
-            }
+            Some(budget) if self.tokens <= 0.0 => by_rate.max(pause(-self.tokens / budget + 0.001)),
             _ => by_rate,
         }
     }
@@ -150,6 +156,17 @@ mod tests {
         let rate = sent as f64 / 20.0;
         // The first second's savings come on top.
         assert!((9.5e3..10.9e3).contains(&rate), "{rate}");
+    }
+
+    #[test]
+    fn the_slowest_lines_wait_a_minute_at_a_time() {
+        for line in [(None, 1e-20), (Some(1e-20), 10.0), (Some(1e-300), 1e-300)] {
+            let (budget, fps) = line;
+            let mut link = Link::new(Line { budget, fps });
+            let now = Instant::now();
+            link.sent(now, 3000, true);
+            assert_eq!(link.wait(now), LONGEST);
+        }
     }
 
     #[test]

@@ -126,29 +126,36 @@ impl Dialogue<'_> {
     }
 
     fn run(&mut self, stop: &dyn Fn() -> bool) -> Result<(), RunError> {
+        let ran = self.cycles(stop);
+        // Also after a fault: what is left out, for instance.
+        for notice in self.session.take_notices() {
+            self.say(&notice);
+        }
+        ran?;
+        self.say(&status(&self.session));
+        Ok(())
+    }
+
+    fn cycles(&mut self, stop: &dyn Fn() -> bool) -> Result<(), RunError> {
         let mut last = Instant::now();
-        let budget = Budget {
-            until_cycle: None,
-            time: Some(Duration::from_millis(50)),
-        };
-        while self.session.advance(budget, false)? == Progress::Budget {
-            if stop() {
-                break;
+        loop {
+            let each = self.session.shows_each();
+            let budget = Budget {
+                until_cycle: each.then(|| self.session.world().cycle_number() + 1),
+                time: Some(Duration::from_millis(50)),
+            };
+            if self.session.advance(budget, false)? != Progress::Budget || stop() {
+                return Ok(());
             }
             // Nobody can type while cycles run: nothing is more urgent.
             if let Err(error) = self.saves.save_if_due(&mut self.session, AT_ONCE) {
                 self.say(&format!("! {error}"));
             }
-            if last.elapsed() >= STATUS {
+            if each || last.elapsed() >= STATUS {
                 last = Instant::now();
                 self.say(&status(&self.session));
             }
         }
-        for notice in self.session.take_notices() {
-            self.say(&notice);
-        }
-        self.say(&status(&self.session));
-        Ok(())
     }
 
     /// A reader that has gone needs no more lines.

@@ -81,6 +81,33 @@ fn dumps_are_the_same_however_a_run_is_cut_up() {
     assert_eq!(names(folder), before, "{}", said(&verified));
 }
 
+#[test]
+fn a_dump_that_failed_is_made_good() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let folder = folder.path();
+    fs::write(folder.join("p.toml"), preset()).expect("it can be written");
+    run(folder, "p.toml --csv whole.csv");
+    // One that every so many cycles asks for, the end of a stage, and that of the run.
+    for cycle in [40, 90, 150] {
+        let blocked = format!("part.particles.{cycle:010}.csv");
+        fs::create_dir(folder.join(&blocked)).expect("a folder in its way");
+        let failed = ballast(folder, &["run", "p.toml", "--csv", "part.csv"]);
+        assert!(!failed.status.success(), "{}", said(&failed));
+        fs::remove_dir(folder.join(&blocked)).expect("it is there");
+        run(folder, "--resume part.ballast --csv part.csv");
+        let whole: Vec<String> = dumps(folder)
+            .into_iter()
+            .filter(|name| name.starts_with("whole"))
+            .collect();
+        assert_eq!(whole.len(), 12);
+        for name in whole {
+            let part = name.replace("whole", "part");
+            assert_same(&bytes(folder, &part), &bytes(folder, &name), &part);
+            fs::remove_file(folder.join(part)).expect("it is there");
+        }
+    }
+}
+
 fn cell(row: &str, k: usize) -> f64 {
     let cell = row.split(',').nth(k).expect("a cell");
     cell.parse().expect("a number")

@@ -46,6 +46,12 @@ fn an_interrupted_study_keeps_what_it_has() {
         row.starts_with("linear@0.1,") && row.contains(",stable,"),
         "{row}"
     );
+    // Nobody knows how it would have gone on.
+    let finest = csv.lines().find(|row| row.starts_with("linear@1e-5,"));
+    assert!(
+        finest.is_some_and(|row| row.contains(",not finished,")),
+        "{csv}"
+    );
     // Where a study is already, it stays.
     interrupted(folder.path(), line);
     let name = folder.path().join("square-lattice-study-partial.csv");

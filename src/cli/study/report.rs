@@ -133,6 +133,7 @@ fn row(run: &Run) -> Vec<String> {
         Stability::Stable => "yes",
         Stability::Gained(_) => "no",
         Stability::Failed(_) => "failed",
+        Stability::Unfinished => "not finished",
         Stability::NotRun => "not run",
     };
     vec![

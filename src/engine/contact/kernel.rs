@@ -225,9 +225,9 @@ impl<L: Law> Kernel<'_, L> {
         let square = d[0] * d[0] + d[1] * d[1];
         let distance = square.sqrt();
         let overlap = reach - distance;
-        // That D² is not below (R1 + R2)², both rounded, need not be asked: then D as rounded is not
-        // below R1 + R2 either, as the root of a rounded square is the number itself, barring radii
-        // above 1e150 m or below 1e-150 m.
+        // There is no need to test D² < (R1 + R2)² as well: where that fails, D as rounded is not below
+        // R1 + R2 either, as the root of a rounded square is the number itself, barring radii above
+        // 1e150 m or below 1e-150 m.
         let apart = V::all(0.0).at_least(overlap);
         // One division for all three: D, R1 + R2 and their ratio.
         let inverse = V::all(1.0) / (reach * distance);

@@ -104,6 +104,7 @@ impl World {
                     .push(world.next_id, particle, world.origin, mass);
                 world.next_id += 1;
             }
+            world.size_up();
             world.fit_ledger();
             world.rework();
         });

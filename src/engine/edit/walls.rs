@@ -48,7 +48,8 @@ impl World {
                     world.walls[w].material = own;
                     world.model.materials[own].friction = friction;
                     // Particles may be smoother: pairs say what holds at this wall.
-                    for other in 0..own {
+                    let all = 0..world.model.materials.len();
+                    for other in all.filter(|&other| other != own) {
                         let pair = world.pair_override([other, shared]);
                         let own_pair = [[other, own], [own, other]];
                         let pairs = &mut world.model.pairs;
@@ -67,9 +68,7 @@ impl World {
 
     /// What overrides a pair of materials now; nothing if it has no override.
     fn pair_override(&self, [a, b]: [usize; 2]) -> PairOverride {
-        let same = |p: &&PairOverride| p.materials == [a, b] || p.materials == [b, a];
-        let known = self.model.pairs.iter().rev().find(same).cloned();
-        known.unwrap_or(PairOverride {
+        self.model.pair([a, b]).cloned().unwrap_or(PairOverride {
             materials: [a, b],
             friction: None,
             cohesion: None,

@@ -1,6 +1,6 @@
 //! The sum of the contact forces on a particle, in an order that the list alone decides.
 //!
-//! How many contacts a particle has no processor foresees, and a loop that ends unexpectedly costs
+//! No processor can predict how many contacts a particle has, and a loop that ends unexpectedly costs
 //! as much as ten sums: so the first few of either kind are summed always, with nobody's slot, which
 //! is zero, where there is no contact.
 #![allow(

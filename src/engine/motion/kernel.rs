@@ -42,7 +42,7 @@ fn damped<D: Drag>(inputs: &Inputs<'_>, drag: D, stretch: &mut Stretch<'_>) -> W
     let more = !inputs.body.is_empty() || contacts.rolls || contacts.whose().meet_walls();
     match inputs.sums {
         Sums::Done => chosen::<D, DONE, true, true>(inputs, drag, stretch),
-        // What a scene has not is not asked for each particle.
+        // Skips, particle by particle, whatever the scene does not have.
         Sums::Used if !more => chosen::<D, USED, true, false>(inputs, drag, stretch),
         Sums::Used => chosen::<D, USED, true, true>(inputs, drag, stretch),
         Sums::Kept if !more => chosen::<D, KEPT, true, false>(inputs, drag, stretch),

@@ -292,7 +292,7 @@ struct Wait<'a> {
     spin: u32,
 }
 
-/// Whoever works for a caller is free again at its end.
+/// Marks the team as free again at its end.
 struct Busy<'a>(&'a AtomicBool);
 
 impl Drop for Busy<'_> {

@@ -1,5 +1,6 @@
 //! Rows of a CSV file (RFC 4180) with a header; lines that begin with # are left out.
 
+use super::MOST;
 use crate::measure::columns::nearest;
 use crate::scene::draft::Draft;
 use crate::scene::enclosed;
@@ -30,14 +31,24 @@ pub(super) struct Row<'r> {
     cells: &'r [Option<&'r str>],
 }
 
-/// Reads the file that a key names, row by row; answers whether all of it could be read.
+/// Which of the columns a file has: required, then optional ones.
+pub(super) struct Present(Vec<bool>);
+
+impl Present {
+    /// Whether it has column `k`.
+    pub(super) fn has(&self, k: usize) -> bool {
+        self.0.get(k).copied().unwrap_or(false)
+    }
+}
+
+/// Reads the file that a key names, row by row; answers which columns it has if all of it could be read.
 pub(super) fn read<'a>(
     reader: &Reader<'a>,
     key: &'static str,
     columns: &Columns,
     draft: &mut Draft<'a>,
     mut take: impl FnMut(&Table<'_>, &Row<'_>) -> Option<()>,
-) -> Option<()> {
+) -> Option<Present> {
     let (name, place) = reader.text(key)?;
     let text = enclosed::text(draft, name, place)?;
     let table = Table { name, place, draft };
@@ -51,10 +62,10 @@ pub(super) fn read<'a>(
     };
     let places = table.places(&header, columns)?;
     let mut record = csv::StringRecord::new();
-    let mut sound = Some(());
-    loop {
+    let mut sound = true;
+    for count in 0.. {
         match rows.read_record(&mut record) {
-            Ok(false) => return sound,
+            Ok(false) => break,
             Err(error) => return table.broken(&error),
             Ok(true) => {}
         }
@@ -67,13 +78,22 @@ pub(super) fn read<'a>(
             line,
             cells: &cells,
         };
+        if count == MOST {
+            return table.refuse(
+                line,
+                &format!("this is the {}th row", MOST + 1),
+                &format!("expected {MOST} at most"),
+                "leave some out",
+            );
+        }
         if take(&table, &row).is_none() {
-            sound = None;
+            sound = false;
         }
         if draft_is_full(&table) {
             return None;
         }
     }
+    sound.then(|| Present(places.iter().map(Option::is_some).collect()))
 }
 
 fn draft_is_full(table: &Table<'_>) -> bool {

@@ -16,6 +16,9 @@ const COLUMNS: Columns = Columns {
     ],
 };
 
+/// The place of `material` in [`COLUMNS`].
+const MATERIAL: usize = 3;
+
 /// The names of [`COLUMNS`] that hold numbers and may be left out, with their places.
 const MOTION: [(&str, usize); 4] = [("vx", 4), ("vy", 5), ("spin", 6), ("angle", 7)];
 
@@ -27,7 +30,7 @@ pub(super) fn read<'a>(
     draft: &mut Draft<'a>,
 ) -> Option<Vec<ParticleSetup>> {
     let mut particles = Vec::new();
-    csv_rows::read(reader, "import", &COLUMNS, draft, |table, row| {
+    let present = csv_rows::read(reader, "import", &COLUMNS, draft, |table, row| {
         let (x, y) = (table.number(row, 0, "x"), table.number(row, 1, "y"));
         let radius = table.radius(row, 2);
         let mut motion = [Some(velocity[0]), Some(velocity[1]), Some(0.0), Some(0.0)];
@@ -36,7 +39,7 @@ pub(super) fn read<'a>(
                 *value = table.number(row, k, name);
             }
         }
-        let named = match row.text(3) {
+        let named = match row.text(MATERIAL) {
             None => material,
             Some(name) => {
                 let materials = &table.draft().setup.materials;
@@ -76,7 +79,7 @@ pub(super) fn read<'a>(
             force: [0.0; 2],
             fixed: [false; 3],
         });
-        (particles.len() as u64 <= super::MOST).then_some(())
+        Some(())
     })?;
     if particles.is_empty() {
         reader.refuse(
@@ -87,7 +90,7 @@ pub(super) fn read<'a>(
         );
         return None;
     }
-    if material.is_none() && !reader.has("material") && !has_material(reader, draft) {
+    if material.is_none() && !reader.has("material") && !present.has(MATERIAL) {
         reader.refuse(
             "",
             &format!("{} has no `material`", reader.title),
@@ -97,14 +100,4 @@ pub(super) fn read<'a>(
         return None;
     }
     Some(particles)
-}
-
-fn has_material(reader: &Reader<'_>, draft: &mut Draft<'_>) -> bool {
-    let text = reader
-        .text("import")
-        .and_then(|(name, place)| crate::scene::enclosed::text(draft, name, place));
-    let header = text
-        .as_deref()
-        .and_then(|text| text.lines().find(|line| !line.starts_with('#')));
-    header.is_some_and(|header| header.split(',').any(|name| name.trim() == "material"))
 }

@@ -9,10 +9,12 @@ use crate::engine::setup::Body;
 use crate::language::command::ParticleRange;
 use crate::measure::changes::slid;
 use crate::measure::contact_area::{ContactArea, obliquity};
+use crate::measure::overlap::LARGE_OVERLAP;
+use crate::measure::tensor::half_turn;
 
-/// Overlap over the smaller diameter beyond which a contact is marked: contact laws take it as small
-/// (Randall 1989, 6.4.3, where critical damping sets in).
-pub(in crate::session) const DEEP: f64 = 0.07;
+/// Overlap over the smaller of the two diameters beyond which a contact is marked. What the column
+/// `overlap_warnings` counts is compared with the smallest diameter of all.
+pub(in crate::session) const DEEP: f64 = LARGE_OVERLAP;
 
 /// A touching contact in numbers.
 #[derive(Debug, Clone, PartialEq)]
@@ -88,10 +90,7 @@ impl Carried {
 
 /// Direction of a line along e [degrees], 0 to 180.
 pub(in crate::session) fn direction(e: [f64; 2]) -> f64 {
-    let angle = libm::atan2(e[1], e[0]).to_degrees();
-    let angle = if angle < 0.0 { angle + 180.0 } else { angle };
-    // A tiny negative angle rounds up to the end that does not belong to the range.
-    if angle >= 180.0 { 0.0 } else { angle }
+    half_turn(libm::atan2(e[1], e[0]).to_degrees())
 }
 
 /// The contacts that touch and have a particle in the range, in the order of the list.

@@ -3,7 +3,7 @@
 
 use super::trouble;
 use crate::engine::World;
-use crate::engine::setup::Material;
+use crate::engine::setup::{Material, PairOverride};
 use crate::scene::{Scene, Trouble};
 
 /// Why it cannot.
@@ -43,13 +43,36 @@ pub(super) fn change(world: &World, scene: &Scene) -> Option<String> {
     if let Some((what, _)) = model.into_iter().find(|(_, same)| !same) {
         return Some(format!("model.{what} is another one"));
     }
-    old.materials.iter().find_map(|material| {
-        let name = &material.name;
-        // What has no counterpart is a wall with a friction of its own, or nothing is made of it.
-        let own = new.materials.iter().find(|own| own.name == *name)?;
-        let what = difference(material, own)?;
-        Some(format!("material.{name}.{what} is another one"))
-    })
+    // What has no counterpart is a wall with a friction of its own, or nothing is made of it.
+    let counterpart = |name: &str| new.materials.iter().position(|own| own.name == name);
+    let common: Vec<[usize; 2]> = (old.materials.iter().enumerate())
+        .filter_map(|(k, material)| Some([k, counterpart(&material.name)?]))
+        .collect();
+    let material = |&[k, own]: &[usize; 2]| {
+        let (a, b) = (&old.materials[k], &new.materials[own]);
+        let what = difference(a, b)?;
+        Some(format!("material.{}.{what} is another one", a.name))
+    };
+    let pair = |[a, b]: [[usize; 2]; 2]| {
+        let what = pair_difference(old.pair([a[0], b[0]]), new.pair([a[1], b[1]]))?;
+        let [a, b] = [a, b].map(|[k, _]| &old.materials[k].name);
+        Some(format!("{what} of the [[pair]] {a}, {b} is another one"))
+    };
+    let pairs = |(k, &a): (usize, &[usize; 2])| common[k..].iter().find_map(|&b| pair([a, b]));
+    (common.iter().find_map(material)).or_else(|| common.iter().enumerate().find_map(pairs))
+}
+
+/// What of the stiffness that overrides give to a pair differs.
+fn pair_difference(a: Option<&PairOverride>, b: Option<&PairOverride>) -> Option<&'static str> {
+    let normal = |pair: Option<&PairOverride>| pair.and_then(|pair| pair.normal_stiffness);
+    let shear = |pair: Option<&PairOverride>| pair.and_then(|pair| pair.shear_stiffness);
+    if normal(a) != normal(b) {
+        Some("normal_stiffness")
+    } else if shear(a) != shear(b) {
+        Some("shear_stiffness")
+    } else {
+        None
+    }
 }
 
 /// What of the stiffness or mass of a material differs.

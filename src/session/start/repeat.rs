@@ -4,6 +4,7 @@
 use super::trouble;
 use crate::engine::boundary::{Boundary, Kind};
 use crate::engine::setup::ParticleSetup;
+use crate::language::command::MOST_GENERATED;
 use crate::scene::{Sample, Trouble, order_along_curve};
 
 /// The sample so often along its two edges; particles are numbered along a curve through all copies.
@@ -23,6 +24,15 @@ pub(super) fn repeated(sample: Sample, [across, up]: [u32; 2]) -> Result<Sample,
             "leave it out, or start from a preset with [cell]",
         ));
     };
+    let count = u64::from(across) * u64::from(up) * sample.particles.len() as u64;
+    if count > MOST_GENERATED {
+        return Err(trouble(
+            "repeat",
+            format!("the sample so often has {count} particles"),
+            &format!("expected {MOST_GENERATED} at most"),
+            "repeat it less often",
+        ));
+    }
     let [a, b] = cell.edges;
     let copies = (0..up).flat_map(|j| (0..across).map(move |i| [f64::from(i), f64::from(j)]));
     let shifts = copies.map(|[i, j]| [0, 1].map(|k| i * a[k] + j * b[k]));
