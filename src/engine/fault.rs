@@ -19,7 +19,7 @@ pub enum Fault {
     /// A particle moved by more than its own radius within one cycle.
     #[error(
         "cycle {cycle}: particle {particle} ran away, {distance:.3e} m in one cycle is more than \
-         its radius; reduce frac"
+         its radius; reduce frac, or if it flies freely delete it or put a wall in its way"
     )]
     Runaway {
         /// Cycle in which it happened.

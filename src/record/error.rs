@@ -108,7 +108,9 @@ fn reason(error: &io::Error, attempt: Attempt, path: &Path) -> String {
         ErrorKind::PermissionDenied if makes(attempt) => {
             format!("no permission to write it or its folder `{folder}`")
         }
+        ErrorKind::AlreadyExists => "it is a file".into(),
         ErrorKind::PermissionDenied => "no permission".into(),
+        ErrorKind::ResourceBusy => "another run is writing it".into(),
         ErrorKind::StorageFull => "the disk is full".into(),
         ErrorKind::QuotaExceeded => "your disk quota is used up".into(),
         ErrorKind::FileTooLarge => "it would pass the largest size of a file here".into(),
@@ -129,6 +131,7 @@ fn remedy(error: &io::Error, attempt: Attempt) -> &'static str {
             "free some space or give a path on another disk; what was recorded before is kept"
         }
         ErrorKind::PermissionDenied if !makes(attempt) => "check who owns it and its mode",
+        ErrorKind::ResourceBusy => "wait until that one has ended, or give another path",
         ErrorKind::IsADirectory if makes(attempt) => "give the name of a file in it",
         ErrorKind::IsADirectory => "give the name of a file",
         ErrorKind::OutOfMemory => "use a machine with more memory",

@@ -1,7 +1,7 @@
 //! A file that grows by whole lines: after a flush every line is in it completely or not at all,
 //! even when the disk fills in the middle of one.
 
-use std::fs::{File, OpenOptions};
+use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{self, ErrorKind, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
@@ -35,9 +35,19 @@ pub(super) struct WholeLines {
 impl WholeLines {
     /// A new or emptied file.
     pub(super) fn create(path: &Path) -> Result<Self, RecordError> {
-        let file =
-            File::create(path).map_err(|error| RecordError::new(path, Attempt::Create, error))?;
-        Ok(Self::on(Box::new(Disk::new(file, path)?), path, 0))
+        let failed = |error| RecordError::new(path, Attempt::Create, error);
+        // Emptied only once nobody else is known to write it.
+        let file = OpenOptions::new()
+            .write(true)
+            .create(true)
+            .truncate(false)
+            .open(path)
+            .map_err(failed)?;
+        let mut disk = Disk::new(file, path)?;
+        if disk.regular {
+            disk.cut(0).map_err(failed)?;
+        }
+        Ok(Self::on(Box::new(disk), path, 0))
     }
 
     /// An existing file, shortened to `length` bytes unless it is a device.
@@ -154,10 +164,13 @@ struct Disk {
 
 impl Disk {
     fn new(file: File, path: &Path) -> Result<Self, RecordError> {
-        let regular = file
-            .metadata()
-            .map_err(|error| RecordError::new(path, Attempt::Open, error))?
-            .is_file();
+        let failed = |error| RecordError::new(path, Attempt::Open, error);
+        let regular = file.metadata().map_err(failed)?.is_file();
+        // Two runs that write the same file would mix their lines. Where a file system knows no locks there
+        // is none.
+        if regular && let Err(TryLockError::WouldBlock) = file.try_lock() {
+            return Err(failed(ErrorKind::ResourceBusy.into()));
+        }
         Ok(Self {
             file,
             regular,

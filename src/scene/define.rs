@@ -7,9 +7,11 @@ use std::sync::Arc;
 use super::document::{Table, Value};
 use super::draft::Draft;
 use super::phrase;
+use super::place::Place;
 use super::problem::Problem;
 
-/// Reads the definitions of a document, in order: later ones may name earlier ones.
+/// Reads the definitions of a document. They may name each other, in any order, as long as none comes
+/// back to itself.
 pub(crate) fn read<'a>(document: &'a Table, draft: &mut Draft<'a>) {
     let inside = |table: &'a Table, key: &str| table.get(key).map(|entry| &entry.node);
     let Some(Value::Table(history)) = inside(document, "history").map(|node| &node.value) else {
@@ -27,6 +29,7 @@ pub(crate) fn read<'a>(document: &'a Table, draft: &mut Draft<'a>) {
         );
         return;
     };
+    let mut texts = Vec::new();
     for entry in &definitions.entries {
         let Value::Text(text) = &entry.node.value else {
             let found = format!(
@@ -43,11 +46,37 @@ pub(crate) fn read<'a>(document: &'a Table, draft: &mut Draft<'a>) {
             );
             continue;
         };
-        let place = entry.node.place;
+        texts.push((entry.key.as_str(), text.as_str(), entry.node.place));
+    }
+    // Those first that name nothing that is still to come.
+    while !texts.is_empty() {
+        let waits = |(_, text, _): &(&str, &str, Place)| {
+            words(text).any(|name| texts.iter().any(|(other, ..)| *other == name))
+        };
+        let Some(next) = texts.iter().position(|text| !waits(text)) else {
+            let names: Vec<String> = texts.iter().map(|(key, ..)| format!("`{key}`")).collect();
+            let message = match names.as_slice() {
+                [name] => format!("{name} is defined by itself"),
+                names => format!("{} are defined by each other", names.join(", ")),
+            };
+            draft.report.add(
+                Problem::new(message, texts[0].2)
+                    .expected("definitions that come down to columns of the program")
+                    .remedy("write one of them without the others"),
+            );
+            return;
+        };
+        let (key, text, place) = texts.remove(next);
         let definitions = &mut draft.known.definitions;
-        let defined = definitions.define(&entry.key, text).map(Arc::clone);
+        let defined = definitions.define(key, text).map(Arc::clone);
         if let Some(definition) = phrase::accept(draft.report, defined, text, place) {
             draft.definitions.push((definition, text, place));
         }
     }
+}
+
+/// The names in an expression; the x in `particle:1:x` is none.
+fn words(text: &str) -> impl Iterator<Item = &str> {
+    let ends = |c: char| !(c.is_alphanumeric() || "_:".contains(c));
+    text.split(ends).filter(|word| !word.is_empty())
 }

@@ -61,6 +61,20 @@ fn unreadable(name: &str, error: &std::io::Error) -> Problem {
     let problem = |message: String| Problem::nowhere(message);
     match error.kind() {
         ErrorKind::NotFound | ErrorKind::NotADirectory => {
+            let path = Path::new(name);
+            let journal = path.with_extension("journal");
+            if path.extension().is_some_and(|ending| ending == "ballast") {
+                return problem(format!("there is no file {}", quoted(name))).remedy(
+                    if journal.exists() {
+                        format!(
+                            "{} is there: ballast run replays it",
+                            quoted(&journal.display().to_string())
+                        )
+                    } else {
+                        "a run keeps its state a minute after it has begun, and at its end".into()
+                    },
+                );
+            }
             problem(format!("there is no preset {}", quoted(name))).remedy(suggestion(name))
         }
         ErrorKind::IsADirectory => problem(format!("{} is a folder", quoted(name))).remedy(

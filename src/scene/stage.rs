@@ -53,7 +53,7 @@ const KEYS: &[Key] = &[
         form: Form::Text,
         unit: "-",
         absent: Absent::Said("`max_cycles` is its length"),
-        summary: "condition that ends it",
+        summary: "condition that ends it, such as unbalanced < 1e-3 and stage_cycle > 100",
     },
     Key {
         name: "max_cycles",

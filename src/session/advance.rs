@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 
 use super::clock::Clock;
 use super::course::Phase;
+use super::figure::figure;
 use super::{By, Refusal, Reply, Request, RunError, Session};
 use crate::language::Command;
 use crate::measure::sample::Sample;
@@ -229,10 +230,26 @@ impl Session {
         }
         self.look_for_stage_end();
         if self.course.phase == Phase::Over {
+            if self.stage_cycle() > 0 {
+                self.judge_step();
+            }
             self.take_row()?;
             self.dump(true)?;
         }
         Ok(())
+    }
+
+    /// At the end of a stage: says if the step is longer than what is certainly stable.
+    fn judge_step(&mut self) {
+        if let Some(limit) = self.world.frac_limit_exceeded() {
+            let (frac, name) = (self.world.frac(), self.stage_name());
+            self.notices.push(format!(
+                "at the end of stage {name} frac = {} is above frac_limit = {}, up to which cycles are certainly \
+                 stable: what should rest may shake; reduce model.frac, or write frac = \"auto\"",
+                figure(frac),
+                figure(limit)
+            ));
+        }
     }
 
     fn issue(&mut self, line: &str) -> Result<(), RunError> {
@@ -267,6 +284,13 @@ impl Session {
         let limit = stage.max_cycles.or(stage.until.is_none().then_some(0));
         if self.stage_condition_holds(done) {
             self.course.phase = Phase::Over;
+            if done == 0 {
+                let name = self.stage_name();
+                self.notices.push(format!(
+                    "stage {name} ended at once: its condition held before the first cycle (strains count from \
+                     the start, or from the last `reference`)"
+                ));
+            }
         } else if limit.is_some_and(|limit| done >= limit) {
             self.course.phase = Phase::Over;
             let stage = &self.scene.stages[self.course.stage];

@@ -1,5 +1,7 @@
 //! Commands about files: checkpoints, histories, journals, commands from a file.
 
+use std::fs::File;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use super::execute::{Reply, Request};
@@ -8,12 +10,16 @@ use crate::language::command::Export;
 use crate::language::{Command, Known};
 use crate::record::error::{Attempt, RecordError};
 use crate::record::journal::{Event, EventKind};
+use crate::scene::Origin;
 
 impl Session {
     pub(super) fn keep(&mut self, command: &Command) -> Result<Reply, Refusal> {
         let failed =
             |error: RunError| Refusal::new(error.to_string(), "the run itself is not affected");
         let cycle = self.world.cycle_number();
+        if let Command::Save(file) | Command::Journal(file) | Command::Export(_, file) = command {
+            self.spare_presets(Path::new(file))?;
+        }
         match command {
             Command::Save(file) => {
                 self.save(Path::new(file)).map_err(failed)?;
@@ -68,6 +74,25 @@ impl Session {
         }
     }
 
+    /// What is written by hand is not overwritten by a slip.
+    fn spare_presets(&self, path: &Path) -> Result<(), Refusal> {
+        // What is not there yet is not overwritten.
+        let Ok(file) = path.canonicalize() else {
+            return Ok(());
+        };
+        let own = match &self.scene.origin {
+            Origin::File(preset) => preset.canonicalize().is_ok_and(|preset| preset == file),
+            Origin::Embedded(_) | Origin::Text => false,
+        };
+        if own || file.extension().is_some_and(|ending| ending == "toml") {
+            return Err(Refusal::new(
+                format!("{} is a preset and would be overwritten", path.display()),
+                "give another name",
+            ));
+        }
+        Ok(())
+    }
+
     /// All lines are read, and checked as far as they can be, before the first takes effect.
     fn source(&mut self, file: &str) -> Result<Reply, Refusal> {
         let mut reading = Reading {
@@ -95,6 +120,9 @@ fn write(bytes: &[u8], file: &str, cycle: u64) -> Result<Reply, Refusal> {
     Ok(Reply::line(format!("cycle {cycle} in {file}")))
 }
 
+/// Largest file of commands [bytes].
+const LARGEST: u64 = 16 << 20;
+
 /// A file of commands being read, and those it names.
 struct Reading {
     known: Known,
@@ -113,7 +141,16 @@ impl Reading {
                 "files cannot source each other in a circle",
             ));
         }
-        let text = std::fs::read_to_string(path).map_err(failed)?;
+        let mut text = String::new();
+        File::open(path)
+            .and_then(|file| file.take(LARGEST + 1).read_to_string(&mut text))
+            .map_err(failed)?;
+        if text.len() as u64 > LARGEST {
+            return Err(Refusal::new(
+                format!("{} is larger than {} MiB", path.display(), LARGEST >> 20),
+                "is this the right file? One command stands in a line",
+            ));
+        }
         self.open.push(file);
         for (number, line) in text.lines().enumerate() {
             let bare = line.trim_start();

@@ -53,6 +53,14 @@ impl Recording {
         recording
     }
 
+    /// Whether it is one that this program has written: rows and columns belong together.
+    pub(super) fn is_sound(&self) -> bool {
+        let columns = self.columns.len();
+        self.every > 0
+            && self.shown.iter().all(|&k| k < columns)
+            && self.rows.iter().all(|row| row.bits.len() <= columns)
+    }
+
     fn place(&mut self, column: Observable) -> usize {
         self.columns
             .iter()

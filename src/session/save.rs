@@ -228,6 +228,12 @@ impl Session {
                 journal.program
             ))
         })?;
+        if !recording.is_sound() || course.stage >= scene.stages.len().max(1) {
+            return Err(RunError::Misfit(format!(
+                "{name}: its rows or stages do not fit; it was written by version {}",
+                journal.program
+            )));
+        }
         // The world has them.
         drop(scene.take_setup());
         if !world.unpack(threads) {

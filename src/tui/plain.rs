@@ -131,13 +131,16 @@ impl Dialogue<'_> {
         for notice in self.session.take_notices() {
             self.say(&notice);
         }
-        ran?;
-        self.say(&status(&self.session));
+        let told = ran?;
+        if told != Some(self.session.world().cycle_number()) {
+            self.say(&status(&self.session));
+        }
         Ok(())
     }
 
-    fn cycles(&mut self, stop: &dyn Fn() -> bool) -> Result<(), RunError> {
-        let mut last = Instant::now();
+    /// Answers the last cycle that was told of on the way.
+    fn cycles(&mut self, stop: &dyn Fn() -> bool) -> Result<Option<u64>, RunError> {
+        let (mut last, mut told) = (Instant::now(), None);
         loop {
             let each = self.session.shows_each();
             let budget = Budget {
@@ -145,7 +148,7 @@ impl Dialogue<'_> {
                 time: Some(Duration::from_millis(50)),
             };
             if self.session.advance(budget, false)? != Progress::Budget || stop() {
-                return Ok(());
+                return Ok(told);
             }
             // Nobody can type while cycles run: nothing is more urgent.
             if let Err(error) = self.saves.save_if_due(&mut self.session, AT_ONCE) {
@@ -153,6 +156,7 @@ impl Dialogue<'_> {
             }
             if each || last.elapsed() >= STATUS {
                 last = Instant::now();
+                told = Some(self.session.world().cycle_number());
                 self.say(&status(&self.session));
             }
         }

@@ -19,7 +19,7 @@ fn a_fault_beyond_the_stages_is_met_again() {
         &STAGES[..2],
         &[
             "source {tmp}/lines",
-            "solve until kinetic < 1 max 28",
+            "solve until kinetic < 0 max 28",
             "cycle 34",
         ],
         folder,

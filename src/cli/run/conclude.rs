@@ -110,10 +110,20 @@ fn failed(session: &mut Session, options: &Run, files: &Files, error: &RunError)
         outcome.err().into_iter().for_each(&mut say);
     }
     if let Some(cycle) = good {
+        let path = path.display().to_string();
+        let way = match error {
+            // Alone it would come to the same end.
+            RunError::Fault(_) => format!(
+                "open it and change by a command what led to this:\n  ballast {}",
+                shell_word(&path)
+            ),
+            _ => format!(
+                "go on from there with\n  {}",
+                resume_line(Path::new(&path), options)
+            ),
+        };
         tell(&format!(
-            "what was recorded is kept; {} holds cycle {cycle}, go on from there with\n  {}",
-            path.display(),
-            resume_line(&path, options)
+            "what was recorded is kept; {path} holds cycle {cycle}, {way}"
         ));
     } else {
         tell("what was recorded is kept; there is no state to go on from, so start anew");
@@ -213,7 +223,8 @@ fn summary(session: &Session, elapsed: Duration) -> String {
         let _ = write!(
             text,
             "\nFRACC above 0.3 in {} cycles, worst {fracc:.3} at cycle {cycle} by particle \
-             {particle}; a smaller frac would resolve such changes of force better",
+             {particle}; a smaller frac would resolve such changes of force better, unless that \
+             particle hardly moved",
             monitor.warnings
         );
     }

@@ -4,6 +4,7 @@ mod conclude;
 mod ensemble;
 mod files;
 mod prepare;
+mod reading;
 
 pub(super) use files::same;
 
@@ -18,6 +19,7 @@ use crate::session::{Budget, Progress as Reached, RunError, Session};
 use conclude::{End, conclude};
 use files::Files;
 use prepare::{Prepared, prepare};
+use reading::Reading;
 
 /// Cycles run for so long between looks at signals, progress and the checkpoint clock.
 const BATCH: Duration = Duration::from_millis(50);
@@ -38,6 +40,7 @@ pub(super) fn run(options: &Run) -> u8 {
     if let Some(seeds) = options.seeds {
         return ensemble::run(options, seeds, &interrupt);
     }
+    let reading = Reading::begin(&interrupt);
     let mut progress: Option<Progress> = None;
     let mut sample: Option<Progress> = None;
     let mut watch = |watched: Watched<'_>| match watched {
@@ -57,6 +60,10 @@ pub(super) fn run(options: &Run) -> u8 {
                 shown.clear();
             }
         }
+    };
+    let mut watch = |watched: Watched<'_>| {
+        reading.end();
+        watch(watched);
     };
     one(options, &interrupt, &mut watch).status
 }

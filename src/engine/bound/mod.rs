@@ -37,6 +37,16 @@ impl World {
         Outlook::new(self, time).stable_step()
     }
 
+    /// The bound as a FRAC if the step is above it. Needs no memory, and twice the time.
+    pub fn frac_limit_exceeded(&self) -> Option<f64> {
+        let outlook = Outlook::new(self, 0.0);
+        let all = 0..self.particles.len();
+        let least = all.fold(self.dt, |least, p| {
+            least.min(outlook.stable_step_below(p, least))
+        });
+        (least < self.dt).then(|| least / self.base_step)
+    }
+
     /// Largest stable FRAC by that bound.
     pub fn frac_limit(&self) -> f64 {
         self.stable_step() / self.base_step

@@ -22,7 +22,49 @@ pub struct Cell {
     pub edges: [[f64; 2]; 2],
 }
 
+/// Other edges of the same lattice: one edge less so many times the other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::engine) struct Upright {
+    /// Which edge is another one then.
+    edge: usize,
+    times: i16,
+}
+
+impl Upright {
+    /// How many of the new edges an image is shifted by.
+    pub(in crate::engine) fn image(self, mut image: Image) -> Image {
+        let more = image[self.edge].saturating_mul(self.times);
+        let other = &mut image[1 - self.edge];
+        *other = other.saturating_add(more);
+        image
+    }
+}
+
 impl Cell {
+    /// The edges with which it leans less, if one leans by more than half of the other: sheared on and on
+    /// it would get as narrow as a particle. An edge along an axis stays, if the other is not along one.
+    pub(in crate::engine) fn upright(&self) -> Option<Upright> {
+        let [a, b] = self.edges;
+        let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
+        let along = |edge: [f64; 2]| edge[0] == 0.0 || edge[1] == 0.0;
+        [1, 0].into_iter().find_map(|edge| {
+            let other = self.edges[1 - edge];
+            if along(self.edges[edge]) && !along(other) {
+                return None;
+            }
+            let times = (dot(a, b) / dot(other, other)).round() as i16;
+            (times != 0).then_some(Upright { edge, times })
+        })
+    }
+
+    /// Takes those edges.
+    pub(in crate::engine) fn set_upright(&mut self, Upright { edge, times }: Upright) {
+        let other = self.edges[1 - edge];
+        for (x, other) in self.edges[edge].iter_mut().zip(other) {
+            *x -= f64::from(times) * other;
+        }
+    }
+
     /// Shift of an image [m].
     #[inline(always)]
     pub fn shift(&self, image: Image) -> [f64; 2] {
@@ -133,6 +175,34 @@ mod tests {
         let widths = cell.widths();
         assert!((widths[0] - 2.0 / 1.25f64.sqrt()).abs() < 1e-15);
         assert_eq!(widths[1], 1.0);
+    }
+
+    #[test]
+    fn an_upright_cell_has_the_same_images() {
+        for edges in [
+            [[2.0, 0.0], [1.25, 1.0]],
+            [[2.0, 0.0], [-6.75, 1.0]],
+            [[2.0, 3.5], [0.0, 1.0]],
+            [[2.0, 0.5], [1.75, 1.0]],
+        ] {
+            let corner = [1.0, -1.0];
+            let mut cell = Cell { corner, edges };
+            let before = cell.clone();
+            let turn = cell.upright().expect("it leans");
+            cell.set_upright(turn);
+            for image in [[0, 0], [1, 0], [0, 1], [-3, 2], [5, -4]] {
+                assert_eq!(cell.shift(turn.image(image)), before.shift(image));
+            }
+            assert_eq!(cell.area(), before.area());
+            assert!(cell.widths().iter().sum::<f64>() > before.widths().iter().sum());
+            assert_eq!(cell.upright(), None, "{cell:?}");
+        }
+        // By less than half of the edge along the axis.
+        let stands = Cell {
+            corner: [0.0; 2],
+            edges: [[2.0, 0.0], [0.9, 1.0]],
+        };
+        assert_eq!(stands.upright(), None);
     }
 
     #[test]

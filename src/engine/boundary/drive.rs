@@ -196,6 +196,9 @@ impl World {
                 Kind::Walls => {}
             }
         }
+        if self.flow().is_some() {
+            self.stand_up();
+        }
         let Some((rate, centre)) = self.flow() else {
             return;
         };
@@ -206,6 +209,29 @@ impl World {
         // Neighbours come nearer by no more than this share of their distance.
         let stretched = straining::size(&rate) * dt;
         self.contacts.travel.flow_on(stretched, moved);
+    }
+
+    /// Takes edges of the cell that lean less, once they lean too much: the same particles and images, under
+    /// other names.
+    fn stand_up(&mut self) {
+        let Some(turn) = self.cell().and_then(Cell::upright) else {
+            return;
+        };
+        let contacts = &mut self.contacts;
+        if !contacts
+            .images
+            .rename(&contacts.pairs, |image| turn.image(image))
+        {
+            return;
+        }
+        if let Some(Boundary {
+            kind: Kind::Cell(cell),
+            ..
+        }) = &mut self.boundary
+        {
+            cell.set_upright(turn);
+        }
+        self.see();
     }
 
     /// After a step: a loaded ring takes its share of the stress where it is now.

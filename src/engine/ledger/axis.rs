@@ -28,6 +28,15 @@ pub(super) struct Axis {
 }
 
 impl Axis {
+    /// Velocity of the boundary: the mean of the two, or that before the first kick.
+    pub(super) fn now(&self, first: bool) -> f64 {
+        if first {
+            self.v[0]
+        } else {
+            0.5 * (self.v[0] + self.v[1])
+        }
+    }
+
     /// Force of the motion's damping.
     pub(super) fn drag(&self) -> f64 {
         if self.gain == 0.0 || !self.damped {

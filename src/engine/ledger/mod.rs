@@ -1,9 +1,10 @@
 //! Where the energy went.
 //!
 //! The work of a force at boundary n is `F_n·(dx_{n-½} + dx_{n+½})/2`: half of it is booked when
-//! the step before arrives at n, half when the next departs. Kinetic energy stands at the half
-//! step before n, so in the balance at n the first half of the work of all forces at n is added to
-//! it; then a linear spring closes to rounding. Sums run over particles, walls and contacts in their
+//! the step before arrives at n, half when the next departs. With the velocity v of the boundary,
+//! which is the mean of those of the half steps around it, kinetic energy is m v²/2; what the balance
+//! needs for a linear spring to close to rounding is the product of those two velocities, m v₋ v₊/2,
+//! which is less by m (v₊ - v₋)²/8, of second order in the step. Sums run over particles, walls and contacts in their
 //! order, and pairs apart add nothing, so they do not depend on TOL or threads.
 
 mod axis;
@@ -63,9 +64,10 @@ impl Account {
 /// Energies at a boundary [J].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Energies {
-    /// Translational kinetic energy, m v²/2 with the velocity of the last half step.
+    /// Translational kinetic energy of what particles do beside an imposed flow, with the velocities
+    /// of this boundary.
     pub kinetic: f64,
-    /// Rotational kinetic energy.
+    /// Rotational kinetic energy, with the spins of this boundary.
     pub rotational: f64,
     /// Normal springs.
     pub elastic_normal: f64,
@@ -73,7 +75,7 @@ pub struct Energies {
     pub elastic_tangential: f64,
     /// Gravity, zero at the start.
     pub potential: f64,
-    /// Half the work of the forces of this boundary: brings kinetic energy to its time.
+    /// What the balance takes off kinetic and rotational energy: of second order in the step.
     pub transit: f64,
 }
 
@@ -101,17 +103,18 @@ impl World {
         let mut sum = Energies::default();
         let coming = self.coming();
         for p in 0..self.particles.len() {
-            let row = &self.particles.row[p];
-            let m = self.particles.mass[p];
-            sum.kinetic += 0.5 * m * (row.v[0] * row.v[0] + row.v[1] * row.v[1]);
-            if coming.spins {
-                sum.rotational += 0.5 * self.particles.inertia[p] * row.spin * row.spin;
-            }
-            for axis in self.axes(p, &coming) {
+            let axes = self.axes(p, &coming);
+            let [x, y, turn] = axes.each_ref().map(|axis| {
+                let v = axis.now(self.first_kick);
+                0.5 * axis.inertia * v * v
+            });
+            sum.kinetic += x + y;
+            sum.rotational += turn;
+            for axis in axes {
                 let dv = axis.v[1] - axis.v[0];
-                // In the first half kick both velocities lie after the boundary's own.
-                let mean = if self.first_kick { -dv } else { axis.v[0] };
-                sum.transit += 0.5 * axis.inertia * mean * dv;
+                // The first kick is that of half a step.
+                let halves = if self.first_kick { 4.0 } else { 1.0 };
+                sum.transit -= 0.125 * axis.inertia * halves * dv * dv;
             }
         }
         for k in 0..self.contacts.len() {

@@ -46,6 +46,29 @@ impl Images {
         self.0.reverse();
     }
 
+    /// Names them anew. False if that would leave pairs of the same two bodies in another order: then
+    /// nothing has changed.
+    pub(in crate::engine) fn rename(
+        &mut self,
+        pairs: &[[u32; 2]],
+        name: impl Fn(Image) -> Image,
+    ) -> bool {
+        let renamed = |k: usize| name(self.of(k));
+        // Two images of a body are both here only where one of them is beyond an edge.
+        let meets_twice =
+            |k: usize, other: usize| pairs.get(k).is_some() && pairs.get(k) == pairs.get(other);
+        let out_of_order = self.beyond().any(|(k, _)| {
+            meets_twice(k, k + 1) && renamed(k) >= renamed(k + 1)
+                || k > 0 && meets_twice(k - 1, k) && renamed(k - 1) >= renamed(k)
+        });
+        if !out_of_order {
+            self.0
+                .iter_mut()
+                .for_each(|(_, image)| *image = name(*image));
+        }
+        !out_of_order
+    }
+
     /// Adds those of further pairs, the first of which is pair k.
     pub(super) fn append(&mut self, k: usize, others: &Self) {
         let moved = others

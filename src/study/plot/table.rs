@@ -1,6 +1,7 @@
 //! A CSV file as text: the history of a run or of an ensemble, or marks for a chart.
 
 use std::fs::File;
+use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 
 use csv::{ErrorKind, ReaderBuilder, StringRecord, Trim};
@@ -31,6 +32,9 @@ pub enum Place {
     Spread(usize, [Option<usize>; 3]),
 }
 
+/// Longest first line [bytes].
+const LONGEST: u64 = 16 << 20;
+
 impl Table {
     /// Reads a file with a header; lines that begin with # are left out.
     pub fn read(path: &Path) -> Result<Self, Refusal> {
@@ -52,10 +56,26 @@ impl Table {
                 std::io::ErrorKind::IsADirectory.into(),
             ));
         }
+        // What never ends a line is no table, and would be read until memory is full.
+        let mut start = Vec::new();
+        let mut file = BufReader::new(file);
+        (&mut file)
+            .take(LONGEST)
+            .read_until(b'\n', &mut start)
+            .map_err(unread(Attempt::Read))?;
+        if start.len() as u64 == LONGEST {
+            return Err(Refusal::new(
+                format!(
+                    "the first line of {name} is longer than {} MiB",
+                    LONGEST >> 20
+                ),
+                "is this the right file? A history has a header with the names of its columns",
+            ));
+        }
         let mut reader = ReaderBuilder::new()
             .comment(Some(b'#'))
             .trim(Trim::All)
-            .from_reader(file);
+            .from_reader(start.as_slice().chain(file));
         let header = reader.headers().map_err(|error| broken(&name, &error))?;
         let header = header.clone();
         let mut rows = Vec::new();

@@ -314,7 +314,7 @@ fn about(disc: &Disc, touches: &[Touch]) -> String {
     let (force, contacts) = contact_force(disc.id, touches);
     let size = (force[0] * force[0] + force[1] * force[1]).sqrt();
     format!(
-        "disc {}: x {} y {} m  v {} m/s  sum F {} N, {contacts} contacts",
+        "disc {}: x {} y {} m  v {} m/s  {contacts} contacts, sum {} N",
         disc.id,
         short(disc.at[0]),
         short(disc.at[1]),

@@ -1,0 +1,467 @@
+//! Things that once went wrong, each in its smallest scene.
+
+mod common;
+mod program;
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use ballast::engine::World;
+use ballast::engine::setup::Material;
+use ballast::measure::columns::Column;
+use ballast::record::checkpoint;
+use ballast::scene::Scene;
+use ballast::session::{Budget, Options, Session};
+use common::{material, particle, scene, world};
+use program::{ballast, said};
+
+/// Undamped discs of 1000 kg/m³ on springs of 1e6 N/m.
+const HEAD: &str = r#"
+[model]
+body = "disc"
+frac = 0.1
+[material.m]
+density = 1e3
+normal_stiffness = 1e6
+"#;
+
+fn session(tables: &str) -> Session {
+    session_with(tables, &[])
+}
+
+fn session_with(tables: &str, set: &[&str]) -> Session {
+    let set: Vec<String> = set.iter().map(|&option| option.to_owned()).collect();
+    let scene = Scene::parse("p.toml", &format!("{HEAD}{tables}"), &set);
+    let scene = scene.unwrap_or_else(|why| panic!("{why}"));
+    Session::open(scene, Options::default()).expect("it begins")
+}
+
+fn run(session: &mut Session, line: &str) {
+    session
+        .type_line(line)
+        .unwrap_or_else(|why| panic!("{why}"));
+    session.advance(Budget::default(), false).expect("it runs");
+}
+
+fn value(session: &mut Session, column: &str) -> f64 {
+    let column = Column::parse(column).expect("it is in the list");
+    session.sample().value(&column)
+}
+
+/// A file that each test has to itself, and what the program says of it.
+fn preset(tables: &str) -> (tempfile::TempDir, String) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let text = format!("{HEAD}{tables}");
+    fs::write(folder.path().join("p.toml"), &text).expect("it can be written");
+    (folder, text)
+}
+
+const DISC: &str = "[[particle]]\nat = [0, 0]\nradius = 0.1\nmaterial = \"m\"\n";
+
+/// A disc between two that stay where they are.
+const PRESSED: &str = r#"
+[[particle]]
+at = [0, 0]
+radius = 0.1
+material = "m"
+fixed = ["x", "y"]
+[[particle]]
+at = [0.196, 0]
+radius = 0.1
+material = "m"
+[[particle]]
+at = [0.392, 0]
+radius = 0.1
+material = "m"
+fixed = ["x", "y"]
+"#;
+
+/// With the velocity of the boundary both are those of a parabola; with that of the half step before
+/// kinetic energy lacks a tenth after ten steps.
+#[test]
+fn kinetic_energy_is_that_of_the_boundary() {
+    let mut fall = session(DISC);
+    run(&mut fall, "gravity 0 -10");
+    let mass = 1e3 * std::f64::consts::PI * 0.1 * 0.1;
+    for _ in 0..10 {
+        run(&mut fall, "cycle 1");
+        let (kinetic, potential) = (value(&mut fall, "kinetic"), value(&mut fall, "potential"));
+        assert!(kinetic > 0.0);
+        assert!(
+            (kinetic + potential).abs() < 1e-12 * kinetic,
+            "{kinetic} {potential}"
+        );
+        let v = value(&mut fall, "particle:1:vy");
+        assert!((kinetic - 0.5 * mass * v * v).abs() < 1e-12 * kinetic);
+    }
+}
+
+/// Two discs that are listed twice, and touch across the edge of the cell only.
+#[test]
+fn a_contact_is_the_image_that_touches() {
+    let cell = "[cell]\nsize = [0.42, 1]\n";
+    let at = |x: f64| format!("[[particle]]\nat = [{x}, 0.5]\nradius = 0.1\nmaterial = \"m\"\n");
+    let tables = format!("{cell}{}{}", at(0.05), at(0.281));
+    let mut pair = session_with(&tables, &["model.tol=0.3", "model.overlap=\"allow\""]);
+    let pairs = pair.world().contacts().pairs.iter();
+    assert_eq!(pairs.filter(|pair| **pair == [0, 1]).count(), 2);
+    let [n, most] = ["contact:1-2:n", "max_force"].map(|column| value(&mut pair, column));
+    assert!(most > 1e3 && n == most, "{n} {most}");
+}
+
+/// Columns of discs pressed along one direction only: the servo has to see that, whichever it is.
+#[test]
+fn a_servo_does_not_mind_which_way_is_up() {
+    let rates = [[0.25, 0.199], [0.199, 0.25]].map(|[a, b]| {
+        let mut pressed = session(&format!(
+            "[cell]\nsize = [{a}, {b}]\n[[particle]]\nat = [0, 0]\nradius = 0.1\nmaterial = \"m\"\n"
+        ));
+        run(&mut pressed, "servo deviator 0");
+        run(&mut pressed, "cycle 100");
+        ["strain_rate_11", "strain_rate_22"].map(|column| value(&mut pressed, column))
+    });
+    let [[a, b], [c, d]] = rates;
+    assert!(a.abs() > 0.0 && b.abs() > 0.0, "{rates:?}");
+    assert!(
+        (a - d).abs() < 1e-9 * a.abs() && (b - c).abs() < 1e-9 * b.abs(),
+        "{rates:?}"
+    );
+}
+
+/// A wall whose friction is set again meets materials that came after its own.
+#[test]
+fn the_friction_of_a_wall_meets_all_materials() {
+    let mut setup = scene(material(1e6, 1e6, 0.5));
+    setup.particles = vec![particle(0.0, 0.999, 1.0), particle(3.0, 0.999, 1.0)];
+    setup.walls = vec![common::floor()];
+    let mut kept: World = world(setup.clone());
+    kept.set_wall_friction("floor", 0.5);
+    let stored = checkpoint::encode(&kept).expect("it is stored");
+    let kept: World = checkpoint::decode(&stored).expect("it is what was stored");
+    let smooth = Material {
+        name: "smooth".into(),
+        ..material(1e6, 1e6, 0.1)
+    };
+    setup.materials.push(smooth);
+    setup.particles.clear();
+    setup.walls.clear();
+    let mut world = kept.reopen(&setup, 1).expect("its contacts fit");
+    let place = |name: &str| world.model().materials.iter().position(|m| m.name == name);
+    let [own, new] = ["disc@floor", "smooth"].map(|name| place(name).expect("it is there"));
+    assert!(own < new);
+    world.create(&ballast::engine::setup::ParticleSetup {
+        material: new,
+        ..particle(6.0, 0.999, 1.0)
+    });
+    world.set_wall_friction("floor", 0.7);
+    let at_wall = (0..world.contacts().len()).map(|k| world.pair_of(k).friction);
+    assert_eq!(at_wall.collect::<Vec<_>>(), [0.7; 3]);
+}
+
+/// Discs that come into an empty world are listed with their neighbours, not with all.
+#[test]
+fn an_empty_world_is_measured_when_its_first_particles_come() {
+    let mut world = world(scene(material(1e6, 1e6, 0.5)));
+    let grid = |k: u32| particle(f64::from(k % 20) * 2.5e-3, f64::from(k / 20) * 2.5e-3, 1e-3);
+    let discs: Vec<_> = (0..400).map(grid).collect();
+    world.create_all(&discs);
+    assert!(world.contacts().pairs.is_empty());
+    assert!(world.tol() < 1e-3, "{}", world.tol());
+}
+
+/// Stiffnesses of pairs belong to what contacts remember.
+#[test]
+fn a_state_does_not_go_on_under_other_stiffnesses_of_a_pair() {
+    let pair = |k: &str| format!("[[pair]]\nmaterials = [\"m\", \"m\"]\nnormal_stiffness = {k}\n");
+    let (folder, _) = preset(&format!("{}{DISC}", pair("1e6")));
+    let folder = folder.path();
+    let made = ballast(
+        folder,
+        &[
+            "run",
+            "p.toml",
+            "--cycles",
+            "1",
+            "--checkpoint",
+            "a.ballast",
+        ],
+    );
+    assert!(made.status.success(), "{}", said(&made));
+    let next = |k: &str| {
+        let start = "[start]\nfrom = \"a.ballast\"\nkeep = \"all\"\n";
+        fs::write(folder.join("n.toml"), format!("{HEAD}{}{start}", pair(k)))
+            .expect("it is written");
+        ballast(folder, &["run", "n.toml", "--cycles", "1"])
+    };
+    let same = next("1e6");
+    assert!(same.status.success(), "{}", said(&same));
+    let other = next("5e6");
+    assert_eq!(other.status.code(), Some(2), "{}", said(&other));
+    let why = "normal_stiffness of the [[pair]] m, m is another one";
+    assert!(said(&other).contains(why), "{}", said(&other));
+}
+
+/// `check` compares the step that is used, which is not that of `frac` where it follows the bound.
+#[test]
+fn check_does_not_warn_of_a_step_that_follows_the_bound() {
+    let two = PRESSED;
+    let (folder, text) = preset(two);
+    let folder = folder.path();
+    let warns = |frac: &str| {
+        let text = text.replace("frac = 0.1", &format!("frac = {frac}\ntime_step = 1e-2"));
+        fs::write(folder.join("q.toml"), text).expect("it can be written");
+        let check = ballast(folder, &["check", "q.toml"]);
+        String::from_utf8_lossy(&check.stdout).contains("is above the limit")
+    };
+    assert!(warns("1.0"));
+    assert!(!warns("\"auto\""));
+}
+
+/// `step` shows every boundary, `cycle` where it ends.
+#[test]
+fn step_shows_every_cycle() {
+    let (folder, _) = preset(DISC);
+    let shown = |line: &str| typed(folder.path(), line).matches("cycle ").count();
+    assert_eq!(shown("step 7") - shown("cycle 7"), 6);
+}
+
+/// What a teletype session prints.
+fn typed(folder: &Path, lines: &str) -> String {
+    let file = folder.join("lines");
+    fs::write(&file, format!("{lines}\nquit!\n")).expect("it can be written");
+    let output = Command::new(env!("CARGO_BIN_EXE_ballast"))
+        .args(["p.toml", "--plain"])
+        .current_dir(folder)
+        .env("XDG_STATE_HOME", folder)
+        .stdin(fs::File::open(file).expect("it is there"))
+        .stderr(Stdio::null())
+        .output()
+        .expect("the program starts");
+    String::from_utf8_lossy(&output.stdout).into_owned()
+}
+
+#[test]
+fn commands_do_not_overwrite_presets() {
+    let (folder, text) = preset(DISC);
+    let folder = folder.path();
+    fs::write(folder.join("other.toml"), "x").expect("it can be written");
+    for line in ["export csv p.toml", "save ./p.toml", "journal other.toml"] {
+        let printed = typed(folder, line);
+        assert!(
+            printed.contains("is a preset and would be overwritten"),
+            "{printed}"
+        );
+    }
+    let left = |name: &str| fs::read_to_string(folder.join(name)).expect("it is there");
+    assert_eq!([left("p.toml"), left("other.toml")], [text, "x".to_owned()]);
+    // A new name is nobody's.
+    assert!(typed(folder, "export csv new.toml").contains("rows in new.toml"));
+}
+
+/// Two runs that write one file would mix their rows.
+#[test]
+fn a_file_that_is_being_written_is_left_alone() {
+    let (folder, _) = preset(DISC);
+    let folder = folder.path();
+    let mut first = Command::new(env!("CARGO_BIN_EXE_ballast"))
+        .args([
+            "run",
+            "p.toml",
+            "--csv",
+            "a.csv",
+            "--cycles",
+            "1000000000000",
+        ])
+        .current_dir(folder)
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the program starts");
+    while !folder.join("a.ballast").exists() {
+        assert!(first.try_wait().expect("it can be asked").is_none());
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    let second = ballast(
+        folder,
+        &["run", "p.toml", "--csv", "a.csv", "--cycles", "5"],
+    );
+    let resumed = ballast(
+        folder,
+        &[
+            "run",
+            "--resume",
+            "a.ballast",
+            "--csv",
+            "a.csv",
+            "--cycles",
+            "9",
+        ],
+    );
+    first.kill().expect("it runs");
+    first.wait().expect("it ends");
+    for output in [second, resumed] {
+        assert!(!output.status.success());
+        assert!(
+            said(&output).contains("another run is writing it"),
+            "{}",
+            said(&output)
+        );
+    }
+    let third = ballast(
+        folder,
+        &["run", "p.toml", "--csv", "a.csv", "--cycles", "5"],
+    );
+    assert!(third.status.success(), "{}", said(&third));
+}
+
+#[test]
+fn endless_lines_are_no_tables_and_no_commands() {
+    let (folder, _) = preset(DISC);
+    let plot = ballast(
+        folder.path(),
+        &["plot", "/dev/zero", "--y", "a", "-o", "x.svg"],
+    );
+    assert_eq!(plot.status.code(), Some(2), "{}", said(&plot));
+    assert!(
+        said(&plot).contains("is longer than 16 MiB"),
+        "{}",
+        said(&plot)
+    );
+    let printed = typed(folder.path(), "source /dev/zero");
+    assert!(printed.contains("is larger than 16 MiB"), "{printed}");
+}
+
+#[test]
+fn what_a_stage_ends_with_is_said() {
+    let stages = "[[stage]]\nname = \"none\"\nuntil = \"cycle < 5\"\n\
+         [[stage]]\nname = \"some\"\nmax_cycles = 3\n";
+    let stiff = format!("{PRESSED}{stages}");
+    let (folder, text) = preset(&stiff);
+    let ran = ballast(folder.path(), &["run", "p.toml"]);
+    let printed = said(&ran);
+    assert!(printed.contains("stage none ended at once"), "{printed}");
+    assert!(!printed.contains("stage some ended at once"), "{printed}");
+    assert!(!printed.contains("frac_limit"), "{printed}");
+    let text = text.replace("frac = 0.1", "frac = 0.9");
+    fs::write(folder.path().join("p.toml"), text).expect("it can be written");
+    let printed = said(&ballast(folder.path(), &["run", "p.toml"]));
+    assert!(
+        printed.contains("at the end of stage some frac = 0.9 is above frac_limit"),
+        "{printed}"
+    );
+}
+
+/// Before there is anything to save a signal ends a run as it would end any program.
+#[test]
+fn a_run_that_still_reads_can_be_ended() {
+    let (folder, _) = preset("[[generate]]\nmaterial = \"m\"\nimport = \"fifo\"\n");
+    let folder = folder.path();
+    let made = Command::new("mkfifo").arg(folder.join("fifo")).status();
+    assert!(made.expect("there is a shell").success());
+    let mut reading = Command::new(env!("CARGO_BIN_EXE_ballast"))
+        .args(["run", "p.toml"])
+        .current_dir(folder)
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the program starts");
+    std::thread::sleep(std::time::Duration::from_millis(300));
+    assert!(reading.try_wait().expect("it can be asked").is_none());
+    let kill = Command::new("kill").arg(reading.id().to_string()).status();
+    assert!(kill.expect("there is a shell").success());
+    let begun = std::time::Instant::now();
+    while reading.try_wait().expect("it can be asked").is_none() {
+        if begun.elapsed().as_secs() > 20 {
+            reading.kill().expect("it runs");
+            panic!("it does not end");
+        }
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+}
+
+#[test]
+fn definitions_come_in_any_order() {
+    let defined = |define: &str| {
+        let tables = "[history]\ncolumns = [\"a\", \"b\"]\n[history.define]\n";
+        let (folder, _) = preset(&format!("{DISC}{tables}{define}"));
+        let ran = ballast(
+            folder.path(),
+            &["run", "p.toml", "--cycles", "2", "--csv", "-"],
+        );
+        assert!(ran.status.success(), "{}", said(&ran));
+        String::from_utf8_lossy(&ran.stdout).into_owned()
+    };
+    let (first, second) = ("a = \"dt * 2\"\n", "b = \"a + 1\"\n");
+    let rows = defined(&format!("{first}{second}"));
+    assert_eq!(rows, defined(&format!("{second}{first}")));
+    assert!(rows.starts_with("cycle,time,stage,a,b"), "{rows}");
+}
+
+/// An import may begin with remarks and blank lines, and quote its header.
+#[test]
+fn imports_have_headers_of_every_kind() {
+    for header in [
+        "x,y,radius,material",
+        "# a remark\n\n\"x\",\"y\",\"radius\",\"material\"",
+    ] {
+        let (folder, _) = preset("[[generate]]\nimport = \"t.csv\"\n");
+        fs::write(
+            folder.path().join("t.csv"),
+            format!("{header}\n0,0,0.1,m\n"),
+        )
+        .expect("it is written");
+        let check = ballast(folder.path(), &["check", "p.toml"]);
+        assert!(check.status.success(), "{header}: {}", said(&check));
+    }
+}
+
+/// A cell that is sheared on and on takes other edges of the same lattice, and the contacts are those of all
+/// particles with all images, worked out one by one.
+#[test]
+fn a_cell_can_be_sheared_without_end() {
+    let mut tables = String::from("[cell]\nsize = [0.84, 0.84]\n");
+    for k in 0..16 {
+        let [x, y] = [k % 4, k / 4].map(|n| 0.21 * f64::from(n) + 0.02 * f64::from(k % 3));
+        tables += &format!("[[particle]]\nat = [{x}, {y}]\nradius = 0.11\nmaterial = \"m\"\n");
+    }
+    let dashpots = "damping.contact=0.5";
+    for rate in ["0 -1 0 0", "0 0 -1 0", "0 1 0 0"] {
+        let mut sheared = session_with(&tables, &[dashpots, "model.overlap=\"allow\""]);
+        sheared
+            .type_line(&format!("strain rate {rate}"))
+            .expect("it is accepted");
+        let (mut turns, mut before) = (0, sheared.world().cell().expect("a cell").edges);
+        for _ in 0..200 {
+            run(&mut sheared, "cycle 100");
+            let world = sheared.world();
+            let cell = world.cell().expect("a cell");
+            let leans = |a: f64, b: f64| (a - b).abs() > 0.4;
+            turns += usize::from(
+                leans(cell.edges[1][0], before[1][0]) || leans(cell.edges[0][1], before[0][1]),
+            );
+            before = cell.edges;
+            assert!(cell.widths().iter().all(|width| *width > 0.7), "{cell:?}");
+            let list = world.contacts();
+            let found: f64 = (0..list.pairs.len())
+                .map(|k| world.geometry(k).overlap.max(0.0))
+                .sum();
+            let rows = &world.particles().row;
+            let mut all = 0.0;
+            for (i, a) in rows.iter().enumerate() {
+                for b in &rows[..i] {
+                    let d = [0, 1].map(|k| a.x[k] - b.x[k]);
+                    let d = cell.nearest(d);
+                    for (n, m) in (-2..=2).flat_map(|n| (-2..=2).map(move |m| (n, m))) {
+                        let shift = cell.shift([n, m]);
+                        let far = f64::hypot(d[0] + shift[0], d[1] + shift[1]);
+                        all += (a.radius + b.radius - far).max(0.0);
+                    }
+                }
+            }
+            assert!(
+                all > 0.0 && (found - all).abs() < 1e-9 * all,
+                "{found} {all}"
+            );
+        }
+        assert!(turns > 10, "{rate}: {turns}");
+    }
+}
