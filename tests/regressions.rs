@@ -465,3 +465,27 @@ fn a_cell_can_be_sheared_without_end() {
         assert!(turns > 10, "{rate}: {turns}");
     }
 }
+
+/// Cycles that run on after the last stage write no dumps but those that are due.
+#[test]
+fn a_run_that_goes_on_after_its_stages_dumps_no_more_than_before() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut session = session(&format!(
+        "{PRESSED}[dump]\nevery = 10\nwhat = [\"contacts\"]\n[[stage]]\nname = \"a\"\nmax_cycles = 3\n"
+    ));
+    session.write_dumps(&folder.path().join("x.csv"));
+    let budget = Budget {
+        until_cycle: Some(12),
+        time: None,
+    };
+    session.advance(budget, true).expect("it runs");
+    assert_eq!(session.world().cycle_number(), 12);
+    let files = fs::read_dir(folder.path()).expect("it is there");
+    let name = |file: std::io::Result<fs::DirEntry>| file.expect("it is there").file_name();
+    let mut names: Vec<String> = files
+        .map(|file| name(file).to_string_lossy().into_owned())
+        .collect();
+    names.sort();
+    let cycles = [0, 3, 10].map(|cycle| format!("x.contacts.{cycle:010}.csv"));
+    assert_eq!(names, cycles);
+}

@@ -194,14 +194,22 @@ impl Session {
                     done?;
                 }
                 Phase::Running => return Ok(()),
-                Phase::Over if self.course.stage + 1 >= stages => return self.dump(true),
+                Phase::Over if self.course.stage + 1 >= stages => return self.last_dump(),
                 Phase::Over => {
-                    self.dump(true)?;
+                    self.last_dump()?;
                     self.course.stage += 1;
                     self.course.phase = Phase::Ahead;
                 }
             }
         }
+    }
+
+    /// That of the end of a stage, should it have failed before this run was resumed.
+    fn last_dump(&mut self) -> Result<(), RunError> {
+        if self.course.ended_at == self.world.cycle_number() {
+            return self.dump(true);
+        }
+        Ok(())
     }
 
     fn begin_stage(&mut self) -> Result<(), RunError> {
@@ -230,6 +238,7 @@ impl Session {
         }
         self.look_for_stage_end();
         if self.course.phase == Phase::Over {
+            self.course.ended_at = self.world.cycle_number();
             if self.stage_cycle() > 0 {
                 self.judge_step();
             }

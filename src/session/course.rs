@@ -16,6 +16,8 @@ pub(super) struct Course {
     pub(super) stage: usize,
     /// Cycle at which it began.
     pub(super) started_at: u64,
+    /// Cycle at which the last stage that is over ended.
+    pub(super) ended_at: u64,
     /// How far it is.
     pub(super) phase: Phase,
     /// Commands of the stage still to be issued.
