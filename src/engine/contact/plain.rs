@@ -25,7 +25,12 @@ impl<V: Lanes> Numbers<V> for PlainConstant<V> {
 impl<V: Lanes> Dashpots<V> for PlainConstant<V> {
     #[inline(always)]
     fn normal(&self, elastic: V, _: V, touch: &Touch<V>) -> V {
-        (elastic + self.0[0] * touch.approach).positive()
+        self.bonded(elastic, elastic, touch).positive()
+    }
+
+    #[inline(always)]
+    fn bonded(&self, elastic: V, _: V, touch: &Touch<V>) -> V {
+        elastic + self.0[0] * touch.approach
     }
 
     #[inline(always)]
@@ -64,6 +69,11 @@ impl<V: Lanes> Dashpots<V> for PlainFollowing<V> {
             elastic.positive()
         }
     }
+
+    #[inline(always)]
+    fn bonded(&self, elastic: V, stiffness: V, touch: &Touch<V>) -> V {
+        elastic + self.0 * stiffness.sqrt() * touch.approach
+    }
 }
 
 #[cfg(test)]
@@ -89,6 +99,8 @@ mod tests {
         shear: 4e8,
         friction: 0.5,
         cohesion: 0.0,
+        bond_tension: 0.0,
+        bond_shear: 0.0,
         rolling_friction: 0.0,
         rolling_shape: 0.0,
         dashpot: Dashpot::None,
