@@ -112,7 +112,7 @@ mod tests {
 
     /// Whether three contacts of different sizes, two of one pair of materials and one of another, are
     /// all plain.
-    fn plain<L: Law>(pairs: [Pair; 2], critical_above: f64) -> bool {
+    fn plain<L: Law>(pairs: &[Pair; 2], critical_above: f64) -> bool {
         let mut parameters = Parameters::<L>::new();
         for (k, pair) in [&pairs[0], &pairs[0], &pairs[1]].into_iter().enumerate() {
             let basis = Basis {
@@ -131,8 +131,8 @@ mod tests {
     fn both(pair: Pair) -> [bool; 2] {
         let above = f64::INFINITY;
         [
-            plain::<Spheres>([pair; 2], above),
-            plain::<Discs>([pair; 2], above),
+            plain::<Spheres>(&[pair; 2], above),
+            plain::<Discs>(&[pair; 2], above),
         ]
     }
 
@@ -164,7 +164,7 @@ mod tests {
             }),
             [false; 2]
         );
-        assert!(!plain::<Spheres>([PAIR; 2], 0.01) && !plain::<Discs>([PAIR; 2], 0.01));
+        assert!(!plain::<Spheres>(&[PAIR; 2], 0.01) && !plain::<Discs>(&[PAIR; 2], 0.01));
         let smooth = Pair {
             friction: 0.0,
             ..PAIR
@@ -177,11 +177,11 @@ mod tests {
                 ..PAIR
             },
         ];
-        assert!(!plain::<Spheres>(two, f64::INFINITY));
+        assert!(!plain::<Spheres>(&two, f64::INFINITY));
         let sticky = two.map(|pair| Pair {
             cohesion: 3.0,
             ..pair
         });
-        assert!(plain::<Spheres>(sticky, f64::INFINITY));
+        assert!(plain::<Spheres>(&sticky, f64::INFINITY));
     }
 }
