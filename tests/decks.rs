@@ -84,6 +84,11 @@ fn decks_of_all_presets_are_such_as_lammps_takes() {
             continue;
         }
         let mut session = open(scene);
+        if session.world().model().law.has_bonds() {
+            let refusal = written(&mut session, true).expect_err("LAMMPS has no such law");
+            assert!(refusal.contains("knows no bonds"), "{refusal}");
+            continue;
+        }
         for nearest in [false, true] {
             match written(&mut session, nearest) {
                 Ok(deck) => {

@@ -72,7 +72,7 @@ fn scenes() -> Vec<(String, Setup)> {
                 },
             ));
         }
-        if card.name != "mindlin-deresiewicz-exact" {
+        if !["bonded", "mindlin-deresiewicz-exact"].contains(&card.name) {
             let normal = NormalForm::Incremental;
             scenes.push((
                 format!("{}, summed", card.name),

@@ -20,6 +20,10 @@ pub struct Pair {
     pub friction: f64,
     /// Cohesion [N].
     pub cohesion: f64,
+    /// Pull that a bond bears [N].
+    pub bond_tension: f64,
+    /// Shear that a bond bears without normal force [N].
+    pub bond_shear: f64,
     /// Coefficient of rolling friction [-].
     pub rolling_friction: f64,
     /// Rolling stiffness over k_n (μ_r R_r)² [-].
@@ -39,8 +43,17 @@ pub struct Pair {
 impl Pair {
     /// Whether the contact can carry a tangential force.
     pub fn is_frictional(&self) -> bool {
-        (self.friction > 0.0 || self.cohesion > 0.0)
+        (self.friction > 0.0 || self.cohesion > 0.0 || self.bond_shear > 0.0)
             && (self.shear_stiffness > 0.0 || self.shear > 0.0)
+    }
+
+    /// Gap up to which a bond holds [m].
+    pub fn bond_reach(&self) -> f64 {
+        if self.normal_stiffness > 0.0 {
+            self.bond_tension / self.normal_stiffness
+        } else {
+            0.0
+        }
     }
 
     /// Whether rolling is resisted.
@@ -78,6 +91,12 @@ impl PairTable {
             materials: m.len(),
             pairs,
         }
+    }
+
+    /// Largest gap up to which any bond of particles holds [m].
+    pub fn bond_reach(&self) -> f64 {
+        let of_particles = self.pairs.iter().step_by(2);
+        of_particles.map(Pair::bond_reach).fold(0.0, f64::max)
     }
 
     /// The parameters of two materials; `wall`: the second belongs to a wall.
@@ -126,6 +145,9 @@ fn combine(
         },
         friction: given(|s| s.friction).unwrap_or_else(|| a.friction.min(b.friction)),
         cohesion: given(|s| s.cohesion).unwrap_or_else(|| a.cohesion.min(b.cohesion)),
+        bond_tension: given(|s| s.bond_tension)
+            .unwrap_or_else(|| a.bond_tension.min(b.bond_tension)),
+        bond_shear: given(|s| s.bond_shear).unwrap_or_else(|| a.bond_shear.min(b.bond_shear)),
         rolling_friction: given(|s| s.rolling_friction)
             .unwrap_or_else(|| a.rolling_friction.min(b.rolling_friction)),
         rolling_shape: match setup.body {

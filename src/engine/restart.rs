@@ -115,6 +115,7 @@ impl World {
         if let Some(flow) = &mut self.continuum {
             flow.restart();
         }
+        self.bonds_made = self.bonds();
         self.next_id = self.particles.id.last().map_or(1, |id| id + 1);
         self.adopt(setup);
         if setup.ledger {
@@ -150,7 +151,7 @@ impl World {
         }
     }
 
-    /// Friction, cohesion and rolling friction of materials and pairs by name; materials that only the
+    /// Friction, cohesion, bonds and rolling friction of materials and pairs by name; materials that only the
     /// setup has come last.
     fn adopt_materials(&mut self, setup: &Setup) {
         let mut materials = self.model.materials.clone();

@@ -127,6 +127,10 @@ pub struct Material {
     pub friction: f64,
     /// Cohesion [N]; a pair uses the smaller.
     pub cohesion: f64,
+    /// Pull that a bond bears [N]; a pair uses the smaller.
+    pub bond_tension: f64,
+    /// Shear that a bond bears without normal force [N]; a pair uses the smaller.
+    pub bond_shear: f64,
     /// Normal stiffness [N/m].
     pub normal_stiffness: Option<f64>,
     /// Shear stiffness [N/m].
@@ -148,6 +152,10 @@ pub struct PairOverride {
     pub rolling_friction: Option<f64>,
     /// Cohesion [N].
     pub cohesion: Option<f64>,
+    /// Pull that a bond bears [N].
+    pub bond_tension: Option<f64>,
+    /// Shear that a bond bears without normal force [N].
+    pub bond_shear: Option<f64>,
     /// Coefficient of restitution [-], instead of the scene's contact damping.
     pub restitution: Option<f64>,
     /// Normal stiffness [N/m].

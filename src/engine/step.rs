@@ -218,6 +218,7 @@ impl World {
         if moved * self.dt > self.contacts.smallest && self.contacts.rebuilds > 0 {
             return Err(self.wall_that_ran_away());
         }
+        let reach = self.bond_reach();
         let contacts = &mut self.contacts;
         contacts.travel.wall_goes_on((moved + drifted) * self.dt);
         if contacts.rebuilds == 0 {
@@ -235,7 +236,7 @@ impl World {
         // The sum of largest speeds overestimates: look before searching.
         contacts.travel.measure(rows, &self.threads);
         let usage = contacts.usage(self.cycle);
-        let wide = due && usage.best() < WIDE * usage.tol;
+        let wide = due && usage.best().max(reach) < WIDE * usage.tol;
         if !contacts.travel.is_spent() && !wide {
             return Ok(());
         }
@@ -256,9 +257,11 @@ impl World {
     fn make_list(&mut self, again: bool) {
         let mut pass = self.take_pass();
         let mut contacts = std::mem::take(&mut self.contacts);
+        // A pair whose bond holds is listed, however far apart; where halos differ, some are narrower.
+        let reach = self.bond_reach();
         let wanted = Wanted {
-            tol: self.tol,
-            local: self.model.tol.is_none() && self.flow().is_none(),
+            tol: self.tol.max(reach),
+            local: self.model.tol.is_none() && self.flow().is_none() && reach == 0.0,
             isa: self.isa,
             threads: &self.threads,
         };

@@ -56,6 +56,8 @@ pub struct World {
     /// Size of the scene at the start, for finding lost particles [m].
     pub(super) size: f64,
     pub(super) next_id: u32,
+    /// Bonds made so far, but for those that were deleted with a particle.
+    pub(super) bonds_made: u64,
     /// Whether some particle was given a spin: it turns even where no contact can turn it.
     pub(super) turning: bool,
     /// The fault that the last cycle broke off with.
@@ -123,6 +125,7 @@ impl World {
             base_step: f64::NAN,
             first_kick: true,
             next_id: number(ids, count),
+            bonds_made: 0,
             turning: false,
             broken: None,
             misplaced: None,

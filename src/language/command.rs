@@ -12,6 +12,7 @@ use crate::measure::columns::Partner;
 use std::fmt;
 use std::str::FromStr;
 
+pub use super::verbs::bond::Bond;
 pub use super::verbs::create::Create;
 pub use super::verbs::damp::Damper;
 pub use super::verbs::delete::ParticleRange;
@@ -45,6 +46,8 @@ pub enum Command {
     Grow(Option<Grow>),
     /// Sets a property of the material of this name, in the unit of the property.
     Property(String, Property, f64),
+    /// Bonds particles that touch.
+    Bond(Bond),
     /// Sets the friction coefficient [-] of something.
     Friction(f64, FrictionOf),
     /// Sets FRAC, the multiple of the reference time step [-].
@@ -173,6 +176,7 @@ impl Command {
             Self::Wall(..) => "wall",
             Self::Particle(..) => "particle",
             Self::Property(..) => "property",
+            Self::Bond(_) => "bond",
             Self::Friction(..) => "friction",
             Self::Frac(_) | Self::FracAuto(_) => "frac",
             Self::Damp(..) => "damp",
@@ -214,6 +218,7 @@ impl fmt::Display for Command {
             Self::Property(material, key, value) => {
                 write!(f, " {} {key} {}", quoted(material), number(*value))
             }
+            Self::Bond(bond) => write!(f, "{bond}"),
             Self::Friction(value, of) => write!(f, " {}{of}", number(*value)),
             Self::FracAuto(share) => write!(f, " auto {}", number(*share)),
             Self::Frac(value) | Self::Con1(value) => write!(f, " {}", number(*value)),

@@ -39,6 +39,7 @@ pub const COMMANDS: &[Card] = &[
     verbs::particle::CARD,
     verbs::property::CARD,
     verbs::friction::CARD,
+    verbs::bond::CARD,
     verbs::frac::CARD,
     verbs::damp::CARD,
     verbs::con1::CARD,

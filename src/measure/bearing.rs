@@ -17,7 +17,7 @@ pub struct Bearing {
 }
 
 impl Bearing {
-    /// Of the contacts of a region. Those that a dashpot pulls at carry stress, and stiffen nothing.
+    /// Of the contacts of a region. Those that only a dashpot pulls at carry stress, and stiffen nothing.
     pub fn of(world: &World, content: &Content) -> Self {
         let (mut stress, mut stiffness) = (Matrix2::zeros(), 0.0);
         for branch in Branch::all(world) {
@@ -26,7 +26,7 @@ impl Bearing {
                 continue;
             }
             stress -= reach * branch.e * branch.force.transpose();
-            if branch.normal() > 0.0 {
+            if branch.normal() > 0.0 || world.is_bonded(branch.place) {
                 let k = world.pass().stiffness(branch.place, branch.overlap).k[0];
                 stiffness += k * reach * (branch.arms[0] + branch.arms[1]);
             }

@@ -60,14 +60,15 @@ impl ContactArea {
 }
 
 /// Mean normal stress on each touching contact of the particles marked as inside, and what the contact
-/// counts for.
+/// counts for. Bonds across a gap have no area.
 pub fn normal_stresses(world: &World, inside: &[bool]) -> Vec<(f64, f64)> {
     let touching = Link::all(world).filter(Link::is_touching);
     let weighed = touching.map(|link| (link.weight(inside), link));
     weighed
         .filter(|(weight, _)| *weight > 0.0)
-        .map(|(weight, link)| {
-            let area = ContactArea::of(world, link.place);
+        .map(|(weight, link)| (weight, ContactArea::of(world, link.place), link))
+        .filter(|(_, area, link)| area.area > 0.0 || !link.bonded)
+        .map(|(weight, area, link)| {
             let [normal, _] = area.stress(link.normal, link.tangential);
             (normal, weight)
         })

@@ -33,6 +33,8 @@ pub struct Link {
     pub sliding: bool,
     /// Whether it has a friction limit.
     pub frictional: bool,
+    /// Whether a bond holds it.
+    pub bonded: bool,
 }
 
 impl Link {
@@ -57,6 +59,7 @@ impl Link {
             tangential: reaction.tangential,
             sliding: reaction.sliding,
             frictional: world.pass().is_frictional(k),
+            bonded: world.is_bonded(k),
         }
     }
 
@@ -68,9 +71,9 @@ impl Link {
         }
     }
 
-    /// Whether it presses; what is counted over contacts is counted over these.
+    /// Whether it presses or is bonded; what is counted over contacts is counted over these.
     pub fn is_touching(&self) -> bool {
-        self.normal > 0.0
+        self.normal > 0.0 || self.bonded
     }
 
     /// How much of it counts for the particles marked as inside: half for each end, a wall contact

@@ -126,6 +126,7 @@ impl<'a> Sample<'a> {
             let none = Bookings {
                 friction_loss: f64::NAN,
                 slip_loss: f64::NAN,
+                bond_loss: f64::NAN,
                 damping_loss: f64::NAN,
                 global_loss: f64::NAN,
                 boundary_work: f64::NAN,

@@ -38,6 +38,10 @@ pub const PRESETS: &[Preset] = &[
         include_str!("../../presets/square-lattice.toml"),
     ),
     preset(
+        "bonded-beam",
+        include_str!("../../presets/bonded-beam.toml"),
+    ),
+    preset(
         "normal-impact",
         include_str!("../../presets/normal-impact.toml"),
     ),

@@ -49,6 +49,20 @@ const KEYS: &[Key] = &[
         "cohesion of a touching contact in shear; a pair uses the smaller",
     ),
     number(
+        "bond_tension",
+        Bounds::NOT_NEGATIVE,
+        "N",
+        Absent::Number(0.0),
+        "normal pull that a bond bears; a pair uses the smaller",
+    ),
+    number(
+        "bond_shear",
+        Bounds::NOT_NEGATIVE,
+        "N",
+        Absent::Number(0.0),
+        "shear that a bond bears without normal force; a pair uses the smaller",
+    ),
+    number(
         "rolling_friction",
         Bounds::NOT_NEGATIVE,
         "-",
@@ -66,7 +80,7 @@ const KEYS: &[Key] = &[
         "shear_stiffness",
         Bounds::NOT_NEGATIVE,
         "N/m",
-        Absent::Said("required for the linear law with friction or cohesion"),
+        Absent::Said("required for the linear law with friction, cohesion or bonds"),
         "shear stiffness of the linear law",
     ),
     Key {
@@ -123,6 +137,8 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
         poisson: reader.number("poisson"),
         friction: friction.unwrap_or_default(),
         cohesion: cohesion.unwrap_or_default(),
+        bond_tension: reader.number("bond_tension").unwrap_or_default(),
+        bond_shear: reader.number("bond_shear").unwrap_or_default(),
         normal_stiffness: reader.number("normal_stiffness"),
         shear_stiffness: reader.number("shear_stiffness"),
         rolling_friction: reader.number("rolling_friction").unwrap_or_default(),

@@ -142,6 +142,14 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
             "leave `normal` out, or write law = \"mindlin-deresiewicz\", which ran that way in 1989",
         );
     }
+    if law.is_some_and(LawChoice::has_bonds) && setup.normal == NormalForm::Incremental {
+        reader.refuse(
+            "normal",
+            "normal = \"incremental\" contradicts the law with bonds",
+            "a bond is at rest where its particles just touch, whatever was summed",
+            "leave `normal` out, or write law = \"linear\"",
+        );
+    }
     setup.time_step = given.unwrap_or(match (body, law) {
         (Body::Disc, Some(law)) if law.has_constant_springs() => TimeStepChoice::Critical,
         _ => TimeStepChoice::Rayleigh,

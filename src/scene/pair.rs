@@ -40,6 +40,20 @@ const KEYS: &[Key] = &[
         "cohesion in shear",
     ),
     number(
+        "bond_tension",
+        Bounds::NOT_NEGATIVE,
+        "N",
+        "the smaller of the two",
+        "normal pull that a bond bears",
+    ),
+    number(
+        "bond_shear",
+        Bounds::NOT_NEGATIVE,
+        "N",
+        "the smaller of the two",
+        "shear that a bond bears without normal force",
+    ),
+    number(
         "rolling_friction",
         Bounds::NOT_NEGATIVE,
         "-",
@@ -89,6 +103,8 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
     let friction = reader.number("friction");
     let rolling_friction = reader.number("rolling_friction");
     let cohesion = reader.number("cohesion");
+    let bond_tension = reader.number("bond_tension");
+    let bond_shear = reader.number("bond_shear");
     let restitution = reader.number("restitution");
     let normal_stiffness = reader.number("normal_stiffness");
     let shear_stiffness = reader.number("shear_stiffness");
@@ -128,6 +144,8 @@ fn read<'a>(reader: &Reader<'a>, draft: &mut Draft<'a>) {
         friction,
         rolling_friction,
         cohesion,
+        bond_tension,
+        bond_shear,
         restitution,
         normal_stiffness,
         shear_stiffness,

@@ -3,9 +3,10 @@
 use super::draft::Draft;
 use super::place::Place;
 use super::problem::Problem;
-use crate::engine::setup::{LawChoice, Material, TimeStepChoice};
-use crate::language::Command;
+use crate::engine::pair::PairTable;
+use crate::engine::setup::{LawChoice, Material, PairOverride, TimeStepChoice};
 use crate::language::command::{FrictionOf, Property};
+use crate::language::{Command, number};
 
 /// Reports materials that lack what is asked of them.
 pub(crate) fn check(draft: &Draft<'_>) {
@@ -26,7 +27,10 @@ pub(crate) fn check(draft: &Draft<'_>) {
             by_any[wall.material] = true;
         }
     }
-    cohesion(draft);
+    for one in &STRENGTHS {
+        strength(draft, one);
+    }
+    bonds(draft);
     for (k, material) in setup.materials.iter().enumerate() {
         let mark = draft.materials[k];
         if !mark.sound || material.rigid {
@@ -51,25 +55,69 @@ pub(crate) fn check(draft: &Draft<'_>) {
     }
 }
 
-/// Reports cohesion that the law of the scene does not know.
-fn cohesion(draft: &Draft<'_>) {
+/// A strength of contacts that not every law knows.
+struct Strength {
+    /// Its key, which is also the word for it.
+    key: &'static str,
+    property: Property,
+    of: fn(&Material) -> f64,
+    of_pair: fn(&PairOverride) -> Option<f64>,
+    /// What would know it.
+    laws: &'static str,
+}
+
+const STRENGTHS: [Strength; 3] = [
+    Strength {
+        key: "cohesion",
+        property: Property::Cohesion,
+        of: |material| material.cohesion,
+        of_pair: |pair| pair.cohesion,
+        laws: "law = \"hertz-mindlin\", \"linear\" or \"bonded\"",
+    },
+    Strength {
+        key: "bond_tension",
+        property: Property::BondTension,
+        of: |material| material.bond_tension,
+        of_pair: |pair| pair.bond_tension,
+        laws: BONDED,
+    },
+    Strength {
+        key: "bond_shear",
+        property: Property::BondShear,
+        of: |material| material.bond_shear,
+        of_pair: |pair| pair.bond_shear,
+        laws: BONDED,
+    },
+];
+
+const BONDED: &str = "law = \"bonded\"";
+
+/// Reports a strength that the law of the scene does not know.
+fn strength(draft: &Draft<'_>, strength: &Strength) {
+    let Strength {
+        key,
+        property,
+        of,
+        of_pair,
+        laws,
+    } = strength;
     let law = draft.setup.law.card();
-    if law.reads("cohesion") {
+    if law.reads(key) {
         return;
     }
     let report = |what: String, place: Place| {
         draft.report.add(
             Problem::new(
-                format!("{what} cohesion, which the law {} does not know", law.name),
+                format!("{what} {key}, which the law {} does not know", law.name),
                 place,
             )
             .expected("given here")
-            .remedy("leave it out, or write law = \"hertz-mindlin\" or \"linear\" in [model]"),
+            .remedy(format!("leave it out, or write {laws} in [model]")),
         );
     };
     let places = draft.materials.iter().map(|mark| mark.place);
     for (material, place) in draft.setup.materials.iter().zip(places) {
-        if material.cohesion > 0.0 {
+        if of(material) > 0.0 {
             report(format!("[material.{}] has", material.name), place);
         }
     }
@@ -77,15 +125,54 @@ fn cohesion(draft: &Draft<'_>) {
         .setup
         .pairs
         .iter()
-        .any(|pair| pair.cohesion > Some(0.0))
+        .any(|pair| of_pair(pair) > Some(0.0))
     {
         report("a [[pair]] has".into(), draft.model.place);
     }
     for (stage, place) in &draft.stages {
-        let gives = |command: &Command| matches!(command, Command::Property(_, Property::Cohesion, value) if *value > 0.0);
+        let gives = |command: &Command| matches!(command, Command::Property(_, given, value) if given == property && *value > 0.0);
         if stage.commands.iter().any(gives) {
             report(format!("stage `{}` gives", stage.name), *place);
         }
+    }
+}
+
+/// Reports bonds that the law cannot make, or that would hold over a gap as wide as a particle.
+fn bonds(draft: &Draft<'_>) {
+    let setup = &draft.setup;
+    if !setup.law.has_bonds() {
+        let bonds = |command: &Command| matches!(command, Command::Bond(_));
+        for (stage, place) in &draft.stages {
+            if stage.commands.iter().any(bonds) {
+                let (name, law) = (&stage.name, setup.law.card().name);
+                draft.report.add(
+                    Problem::new(
+                        format!("stage `{name}` makes bonds, which the law {law} does not know"),
+                        *place,
+                    )
+                    .expected("`bond` in this stage")
+                    .remedy(format!("write {BONDED} in [model]")),
+                );
+            }
+        }
+        return;
+    }
+    let radii = setup.particles.iter().map(|particle| particle.radius);
+    let smallest = radii.fold(f64::INFINITY, f64::min);
+    let reach = PairTable::new(setup).bond_reach();
+    if reach > smallest {
+        let [reach, smallest] = [reach, smallest].map(number::format);
+        draft.report.add(
+            Problem::new(
+                format!(
+                    "a bond would stretch by {reach} m before it breaks, more than the smallest \
+                     radius, {smallest} m"
+                ),
+                draft.model.place,
+            )
+            .expected("bond_tension / normal_stiffness at most the smallest radius")
+            .remedy("lower bond_tension of the material or pair"),
+        );
     }
 }
 
@@ -115,16 +202,19 @@ impl Lacks<'_, '_> {
         let by_pair = self.draft.setup.pairs.iter().any(|pair| {
             pair.materials.contains(&k)
                 && pair.shear_stiffness.is_none()
-                && (pair.friction > Some(0.0) || pair.cohesion > Some(0.0))
+                && [pair.friction, pair.cohesion, pair.bond_shear]
+                    .iter()
+                    .any(|limit| *limit > Some(0.0))
         });
         if material.shear_stiffness.is_some() {
             return;
         }
-        if material.friction > 0.0 || material.cohesion > 0.0 || by_pair {
-            let why = "the linear law with friction or cohesion";
+        let own = [material.friction, material.cohesion, material.bond_shear];
+        if own.iter().any(|&limit| limit > 0.0) || by_pair {
+            let why = "the linear law with friction, cohesion or bonds";
             self.report("shear_stiffness", "N/m", why, None);
         } else if let Some(stage) = self.rubs_in() {
-            let why = format!("friction or cohesion in stage `{stage}`");
+            let why = format!("friction, cohesion or bonds in stage `{stage}`");
             self.report("shear_stiffness", "N/m", &why, None);
         }
     }
@@ -139,9 +229,11 @@ impl Lacks<'_, '_> {
                     Command::Property(name, Property::ShearStiffness, _) if name == own => {
                         return None;
                     }
-                    Command::Property(name, Property::Friction | Property::Cohesion, value)
-                        if name == own && *value > 0.0 =>
-                    {
+                    Command::Property(
+                        name,
+                        Property::Friction | Property::Cohesion | Property::BondShear,
+                        value,
+                    ) if name == own && *value > 0.0 => {
                         return Some(&stage.name);
                     }
                     Command::Friction(value, of) if *value > 0.0 => match of {

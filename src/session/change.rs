@@ -7,12 +7,13 @@ use super::room::{cut, deepest};
 use crate::engine::World;
 use crate::engine::boundary::Kind;
 use crate::engine::edit::Motion;
+use crate::engine::pair::PairTable;
 use crate::engine::setup::{
     Damping, Dashpot, Material, PairOverride, ParticleSetup, Setup, WallSetup,
 };
 use crate::language::Command;
 use crate::language::command::{
-    Continuum, Create, Damper, FrictionOf, Imposed, ParticleChange, ParticleRange, Property,
+    Bond, Continuum, Create, Damper, FrictionOf, Imposed, ParticleChange, ParticleRange, Property,
     WallChange,
 };
 
@@ -24,6 +25,7 @@ pub(super) fn world(world: &mut World, command: &Command) -> Result<String, Refu
         Command::Wall(name, change) => wall(world, name, change),
         Command::Particle(id, change) => particle(world, *id, change),
         Command::Property(material, key, value) => property(world, material, *key, *value),
+        Command::Bond(new) => bond(world, new),
         Command::Friction(value, of) => Ok(friction(world, *value, of)),
         Command::Frac(frac) => {
             world.set_frac(*frac);
@@ -251,10 +253,13 @@ fn property(
     if key == Property::Cohesion && value > 0.0 && !law.reads("cohesion") {
         return Err(Refusal::new(
             format!("the law {} knows no cohesion", law.name),
-            "linear and hertz-mindlin do: set model.law in the preset",
+            "linear, bonded and hertz-mindlin do: set model.law in the preset",
         ));
     }
-    world.change_materials(|model| {
+    if matches!(key, Property::BondTension | Property::BondShear) && value > 0.0 {
+        check_bonds(world)?;
+    }
+    let change = |model: &mut Setup| {
         // A wall with friction of its own still is of its material otherwise.
         let of_wall = format!("{material}@");
         let is_meant = |m: &&mut Material| {
@@ -265,6 +270,8 @@ fn property(
                 Property::Density => m.density = value,
                 Property::Friction => m.friction = value,
                 Property::Cohesion => m.cohesion = value,
+                Property::BondTension => m.bond_tension = value,
+                Property::BondShear => m.bond_shear = value,
                 Property::RollingFriction => m.rolling_friction = value,
                 Property::NormalStiffness => m.normal_stiffness = Some(value),
                 Property::ShearStiffness => m.shear_stiffness = Some(value),
@@ -272,12 +279,53 @@ fn property(
                 Property::Poisson => m.poisson = Some(value),
             }
         }
-    });
+    };
+    check_reach(world, change)?;
+    world.change_materials(change);
     Ok(format!(
         "{material} {key} = {}, dt = {} s",
         figure(value),
         figure(world.dt())
     ))
+}
+
+fn check_bonds(world: &World) -> Result<(), Refusal> {
+    let law = world.model().law;
+    if law.has_bonds() {
+        return Ok(());
+    }
+    Err(Refusal::new(
+        format!("the law {} knows no bonds", law.card().name),
+        "bonded does: set model.law in the preset",
+    ))
+}
+
+/// Bonds that stretch by more than a radius would hold over particles between.
+fn check_reach(world: &World, change: impl FnOnce(&mut Setup)) -> Result<(), Refusal> {
+    let smallest = world.particles().smallest_radius();
+    let mut model = world.model().clone();
+    change(&mut model);
+    let reach = PairTable::new(&model).bond_reach();
+    if !model.law.has_bonds() || reach <= smallest {
+        return Ok(());
+    }
+    Err(Refusal::new(
+        format!(
+            "a bond would stretch by {} m before it breaks",
+            figure(reach)
+        ),
+        format!(
+            "bond_tension / normal_stiffness may be the smallest radius, {} m, at most",
+            figure(smallest)
+        ),
+    ))
+}
+
+fn bond(world: &mut World, bond: &Bond) -> Result<String, Refusal> {
+    check_bonds(world)?;
+    let place = bond.place;
+    let made = world.bond(bond.gap, |x| place.is_none_or(|place| place.contains(x)));
+    Ok(format!("{made} bonds made, {} hold", world.bonds()))
 }
 
 fn damping(now: Damping, damper: Damper, value: f64) -> Damping {
@@ -366,6 +414,8 @@ fn pair_friction(model: &mut Setup, materials: [usize; 2], value: f64) {
             friction: Some(value),
             rolling_friction: None,
             cohesion: None,
+            bond_tension: None,
+            bond_shear: None,
             restitution: None,
             normal_stiffness: None,
             shear_stiffness: None,

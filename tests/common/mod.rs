@@ -25,6 +25,8 @@ pub(crate) fn material(normal: f64, shear: f64, friction: f64) -> Material {
         poisson: Some(0.3),
         friction,
         cohesion: 0.0,
+        bond_tension: 0.0,
+        bond_shear: 0.0,
         normal_stiffness: Some(normal),
         shear_stiffness: Some(shear),
         rolling_friction: 0.0,

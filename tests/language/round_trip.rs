@@ -2,9 +2,9 @@
 
 use ballast::engine::setup::Gravity;
 use ballast::language::command::{
-    ContactFile, Create, Damper, DumpOf, Export, FrictionOf, Generate, GeneratePlace, Goal, Grow,
-    HistoryChange, Measure, ParticleChange, ParticleRange, PictureOf, Printout, Property, Solve,
-    WallChange,
+    Bond, ContactFile, Create, Damper, DumpOf, Export, FrictionOf, Generate, GeneratePlace, Goal,
+    Grow, HistoryChange, Measure, ParticleChange, ParticleRange, PictureOf, Printout, Property,
+    Solve, WallChange,
 };
 use ballast::language::{COMMANDS, Command, Expression, Known, Observable};
 use ballast::measure::columns::{CONTACT, Column, PARTICLE, Partner, Read, Row, WALL, assembly};
@@ -124,7 +124,7 @@ fn about_bodies() -> impl Strategy<Value = Command> {
     ]
 }
 
-fn generate() -> impl Strategy<Value = Generate> {
+fn place() -> impl Strategy<Value = GeneratePlace> {
     let circle = (vector(), positive())
         .prop_map(|(centre, radius)| GeneratePlace::Circle { centre, radius });
     let corners = (vector(), positive(), positive());
@@ -139,9 +139,12 @@ fn generate() -> impl Strategy<Value = Generate> {
             }
             GeneratePlace::Circle { .. } => true,
         });
-    let place = prop_oneof![circle, rectangle];
+    prop_oneof![circle, rectangle]
+}
+
+fn generate() -> impl Strategy<Value = Generate> {
     let count = prop::option::of(1..=10_000_000u64);
-    (place, positive(), count, prop::option::of(text())).prop_map(
+    (place(), positive(), count, prop::option::of(text())).prop_map(
         |(place, radius, count, material)| Generate {
             place,
             radius,
@@ -156,6 +159,8 @@ fn about_physics() -> impl Strategy<Value = Command> {
         Property::Density,
         Property::Friction,
         Property::Cohesion,
+        Property::BondTension,
+        Property::BondShear,
         Property::NormalStiffness,
         Property::ShearStiffness,
         Property::Young,
@@ -181,6 +186,8 @@ fn about_physics() -> impl Strategy<Value = Command> {
         (text(), property, positive()).prop_map(|(m, key, v)| Command::Property(m, key, v)),
         (text(), -0.99..0.5).prop_map(|(m, v)| Command::Property(m, Property::Poisson, v)),
         (positive(), of).prop_map(|(v, of)| Command::Friction(v, of)),
+        (prop::option::of(positive()), prop::option::of(place()))
+            .prop_map(|(gap, place)| Command::Bond(Bond { gap, place })),
         positive().prop_map(Command::Frac),
         (damper, positive()).prop_map(|(kind, v)| Command::Damp(kind, v)),
         (0.0..=1.0).prop_map(|v| Command::Damp(Damper::Local, v)),

@@ -60,6 +60,8 @@ pub(crate) fn setup(discs: &[Disc]) -> Setup {
             poisson: None,
             friction: 0.0,
             cohesion: 0.0,
+            bond_tension: 0.0,
+            bond_shear: 0.0,
             normal_stiffness: Some(K),
             shear_stiffness: Some(K),
             rolling_friction: 0.0,

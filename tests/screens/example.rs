@@ -286,6 +286,7 @@ pub(crate) fn frame() -> Frame {
             transit: 0.0,
         }),
         bookings: Some(Bookings {
+            bond_loss: 0.0,
             friction_loss: 0.7,
             slip_loss: 0.0,
             damping_loss: 0.95,

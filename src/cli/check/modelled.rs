@@ -88,6 +88,7 @@ fn changes_model(command: &Command) -> bool {
     matches!(
         command,
         Command::Friction(..)
+            | Command::Bond(_)
             | Command::Property(..)
             | Command::Frac(_)
             | Command::FracAuto(_)

@@ -21,6 +21,13 @@ const fn parameter(key: &'static str, unit: &'static str, summary: &'static str)
 pub(super) const FRICTION: Parameter =
     parameter("friction", "-", "tan φ_μ, the smaller of the pair");
 pub(super) const COHESION: Parameter = parameter("cohesion", "N", "added to the shear limit");
+pub(super) const BOND_TENSION: Parameter =
+    parameter("bond_tension", "N", "normal pull that a bond bears");
+pub(super) const BOND_SHEAR: Parameter = parameter(
+    "bond_shear",
+    "N",
+    "shear that a bond bears without normal force",
+);
 pub(super) const YOUNG: Parameter = parameter("young", "Pa", "Young's modulus");
 pub(super) const POISSON: Parameter = parameter("poisson", "-", "Poisson's ratio");
 pub(super) const NORMAL: Parameter = parameter("normal_stiffness", "N/m", "normal spring");

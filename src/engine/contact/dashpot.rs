@@ -21,6 +21,11 @@ impl<V: Lanes> Dashpots<V> for Undamped {
         // A spring that was summed up from increments may have gone below zero.
         elastic.positive()
     }
+
+    #[inline(always)]
+    fn bonded(&self, elastic: V, _: V, _: &Touch<V>) -> V {
+        elastic
+    }
 }
 
 impl Viscosity for Undamped {
@@ -82,13 +87,19 @@ impl<V: Lanes> Rule<V> {
     /// force of this contact makes it, v - F dt/(2 M*), solved for F.
     #[inline(always)]
     fn normal(&self, elastic: V, c: V, touch: &Touch<V>) -> V {
+        let sum = self.sum(elastic, c, touch);
+        V::pick(sum.above(self.floor), sum, self.floor)
+    }
+
+    /// The same, however much it pulls.
+    #[inline(always)]
+    fn sum(&self, elastic: V, c: V, touch: &Touch<V>) -> V {
         let sum = elastic + c * touch.approach;
-        let sum = if V::any(self.centre.above(V::all(0.0))) {
+        if V::any(self.centre.above(V::all(0.0))) {
             sum / (V::all(1.0) + c * self.centre * touch.dt)
         } else {
             sum
-        };
-        V::pick(sum.above(self.floor), sum, self.floor)
+        }
     }
 }
 
@@ -123,6 +134,11 @@ impl<V: Lanes> Dashpots<V> for Constant<V> {
     #[inline(always)]
     fn normal(&self, elastic: V, _: V, touch: &Touch<V>) -> V {
         self.rule.normal(elastic, self.at(0, touch), touch)
+    }
+
+    #[inline(always)]
+    fn bonded(&self, elastic: V, _: V, touch: &Touch<V>) -> V {
+        self.rule.sum(elastic, self.at(0, touch), touch)
     }
 
     #[inline(always)]
@@ -213,6 +229,12 @@ impl<V: Lanes> Dashpots<V> for Following<V> {
         } else {
             V::pick(elastic.above(self.rule.floor), elastic, self.rule.floor)
         }
+    }
+
+    #[inline(always)]
+    fn bonded(&self, elastic: V, stiffness: V, touch: &Touch<V>) -> V {
+        let c = self.at(0, stiffness, touch);
+        self.rule.sum(elastic, c, touch)
     }
 
     #[inline(always)]

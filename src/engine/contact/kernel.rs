@@ -325,13 +325,18 @@ impl<L: Law> Kernel<'_, L> {
         // SAFETY: the caller's: a block of contacts, with parameters where `laws` stands.
         unsafe {
             let zero = V::all(0.0);
-            let touching = g.touching;
-            let touch = g.touch(self.view.dt);
+            let mut touch = g.touch(self.view.dt);
             let parameters = laws;
             let law = R::take(&mut laws);
             let columns = self.memory.as_ptr();
             let whole = self.whole.wrapping_add(k);
             let mut memory = L::Memo::lanes::<V>(&mut Reading::at(columns, k), whole);
+            if R::BONDS {
+                // A bond that holds is in touch at any distance; one that does not, and overlaps no
+                // more, comes apart as any contact does.
+                touch.touching = touch.touching | law.holds(&touch, &memory);
+            }
+            let touching = touch.touching;
             let bits = V::bits(touching);
             let parting = touched(stood) & !bits;
             if (BOOK || size_of::<<L::Memo as Memory>::Whole>() > 0) && parting != 0 {

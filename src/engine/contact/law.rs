@@ -19,6 +19,10 @@ pub trait React<V: Lanes>: Numbers<V> {
     const TANGENTIAL: bool;
     /// Whether rolling is resisted.
     const ROLLING: bool;
+    /// Whether contacts can be bonded.
+    const BONDS: bool;
+    /// Where a bond holds the bodies together at the end of this step, whether they overlap or not.
+    fn holds(&self, touch: &Touch<V>, memory: &Self::Memory) -> V::Mask;
     /// Force of touching pairs; advances the memory.
     fn react(&self, touch: &Touch<V>, memory: &mut Self::Memory) -> Reaction<V>;
 }
@@ -35,7 +39,7 @@ pub trait Law: Written<f64> + Send + Sync + 'static {
     fn all_plain(common: &[Option<f64>]) -> bool;
     /// From the parameters of the pair.
     fn prepare(basis: &Basis<'_>) -> Self;
-    /// The pair has come apart: the energy lost by sliding and by slip [J].
+    /// The pair has come apart: the energy lost by sliding, and by slip or with a bond [J].
     fn part(&self, touch: &Touch, memory: &Self::Memo) -> [f64; 2];
     /// Energies in the normal and the tangential spring, the latter with the rolling one [J].
     fn energy(&self, overlap: f64, memory: &Self::Memo) -> [f64; 2];
@@ -116,6 +120,12 @@ where
     type Memory = (N::Memory, T::Memory, R::Memory);
     const TANGENTIAL: bool = T::ACTIVE || R::ACTIVE;
     const ROLLING: bool = R::ACTIVE;
+    const BONDS: bool = T::BONDS;
+
+    #[inline(always)]
+    fn holds(&self, touch: &Touch<V>, memory: &Self::Memory) -> V::Mask {
+        self.tangential.holds(touch, &memory.1)
+    }
 
     #[inline(always)]
     fn react(&self, touch: &Touch<V>, memory: &mut Self::Memory) -> Reaction<V> {
@@ -123,7 +133,12 @@ where
         let zero = V::all(0.0);
         let elastic = self.normal.force(touch, normal_memory);
         let stiffness = self.normal.tangent(touch.overlap, normal_memory);
-        let total = self.dashpot.normal(elastic, stiffness, touch);
+        let mut total = self.dashpot.normal(elastic, stiffness, touch);
+        if T::BONDS {
+            let pulls = self.dashpot.bonded(elastic, stiffness, touch);
+            let held = self.tangential.holds(touch, shear_memory);
+            total = V::pick(held, pulls, total);
+        }
         let load = Load {
             elastic,
             total,
@@ -193,7 +208,16 @@ impl<N: Normal, T: Tangential, R: Rolling, D: Viscosity> Law for Contact<N, T, R
     fn part(&self, touch: &Touch, memory: &Self::Memo) -> [f64; 2] {
         let [sliding, slip] = self.tangential.part(touch.slide * touch.dt, &memory.1);
         let rolling = self.rolling.part(touch.roll * touch.dt, &memory.2);
-        [sliding + rolling, slip]
+        if !memory.1.is_bonded() {
+            return [sliding + rolling, slip];
+        }
+        // A bond lets go of a normal force, too: the spring as it was when the step began, and its share
+        // of the work of this one.
+        let way = touch.approach * touch.dt;
+        let (overlap, memory) = (touch.overlap - way, &memory.0);
+        let stored = self.normal.energy(overlap, memory);
+        let pulled = 0.5 * self.normal.held(overlap, memory) * way;
+        [rolling, sliding + slip + stored + pulled]
     }
 
     fn energy(&self, overlap: f64, memory: &Self::Memo) -> [f64; 2] {

@@ -6,11 +6,12 @@ use std::fmt;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 pub use super::card::{Card, Parameter, Slip};
-use super::{exact, hertz, hertz_mindlin, linear, mindlin_deresiewicz};
+use super::{bonded, exact, hertz, hertz_mindlin, linear, mindlin_deresiewicz};
 
 /// All laws.
 pub const LAWS: &[Card] = &[
     linear::CARD,
+    bonded::CARD,
     hertz::CARD,
     hertz_mindlin::CARD,
     mindlin_deresiewicz::CARD,
@@ -55,6 +56,11 @@ impl LawChoice {
     /// Its row.
     pub fn card(self) -> &'static Card {
         &LAWS[self.0]
+    }
+
+    /// Whether its contacts can be bonded.
+    pub fn has_bonds(self) -> bool {
+        self.card().reads("bond_tension")
     }
 
     /// Whether its springs are constant and given as such; else they follow from elastic constants.

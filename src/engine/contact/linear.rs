@@ -263,10 +263,45 @@ impl<V: Lanes> TangentialForce<V> for LinearShear<V> {
 
     #[inline(always)]
     fn force(&self, touch: &Touch<V>, load: &Load<V>, memory: &mut ShearForce<V>) -> Shear<V> {
+        self.within(self.limit(load), touch, memory)
+    }
+
+    #[inline(always)]
+    fn steepest(&self, _: V) -> V {
+        self.k
+    }
+}
+
+impl<V: Lanes> LinearShear<V> {
+    /// Friction coefficient [-].
+    #[inline(always)]
+    pub(super) fn friction(&self) -> V {
+        self.friction
+    }
+
+    /// The limit [N].
+    #[inline(always)]
+    pub(super) fn limit(&self, load: &Load<V>) -> V {
+        load.limit(self.friction, self.cohesion)
+    }
+
+    /// The force after the step if nothing limits it [N].
+    #[inline(always)]
+    pub(super) fn trial(&self, touch: &Touch<V>, memory: &ShearForce<V>) -> V {
+        memory.force + self.k * (touch.slide * touch.dt)
+    }
+
+    /// Advances the memory by one step and answers, within any limit [N].
+    #[inline(always)]
+    pub(super) fn within(
+        &self,
+        limit: V,
+        touch: &Touch<V>,
+        memory: &mut ShearForce<V>,
+    ) -> Shear<V> {
         let zero = V::all(0.0);
         let old = memory.force;
-        let trial = old + self.k * (touch.slide * touch.dt);
-        let limit = load.limit(self.friction, self.cohesion);
+        let trial = self.trial(touch, memory);
         let (force, over) = clipped(trial, limit);
         memory.force = force;
         // Without a spring (friction switched off under load) what was held is simply dropped.
@@ -278,11 +313,6 @@ impl<V: Lanes> TangentialForce<V> for LinearShear<V> {
             sliding,
             limit,
         }
-    }
-
-    #[inline(always)]
-    fn steepest(&self, _: V) -> V {
-        self.k
     }
 }
 

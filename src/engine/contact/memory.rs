@@ -28,6 +28,12 @@ pub trait Memory: Copy + Default + Send + Sync + Serialize + DeserializeOwned + 
     fn reduced(&self) -> [f64; 2];
     /// Shows every number that the future depends on, for the state hash.
     fn visit(&self, see: &mut dyn FnMut(f64));
+    /// Whether a bond holds the bodies.
+    fn is_bonded(&self) -> bool {
+        false
+    }
+    /// Bonds them, if the law knows bonds.
+    fn bond(&mut self) {}
 }
 
 /// The first members of [`Memory`], for one that is kept as columns.
@@ -150,5 +156,13 @@ impl<N: Memory<Whole = ()>, T: Memory, R: Memory<Whole = ()>> Memory for (N, T, 
         self.0.visit(see);
         self.1.visit(see);
         self.2.visit(see);
+    }
+
+    fn is_bonded(&self) -> bool {
+        self.1.is_bonded()
+    }
+
+    fn bond(&mut self) {
+        self.1.bond();
     }
 }

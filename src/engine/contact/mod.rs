@@ -5,6 +5,7 @@
 //! of contact over the list in one monomorphised loop. Each part declares its memory as an
 //! associated type, so a scene without friction stores none.
 
+pub mod bonded;
 pub mod book;
 pub mod card;
 mod columns;

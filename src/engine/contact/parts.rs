@@ -60,10 +60,17 @@ pub trait TangentialForce<V: Lanes>: Numbers<V> {
     const ACTIVE: bool;
     /// Whether the force is never beyond the limit that it comes with, and at it where it slides.
     const WITHIN: bool = false;
+    /// Whether contacts can be bonded: what reads of it is compiled for such laws only.
+    const BONDS: bool = false;
     /// Advances the memory by one step and answers.
     fn force(&self, touch: &Touch<V>, load: &Load<V>, memory: &mut Self::Memory) -> Shear<V>;
     /// Stiffness without slip at this overlap, not below zero: no tangent is stiffer [N/m].
     fn steepest(&self, overlap: V) -> V;
+    /// Where a bond holds the bodies together at the end of this step, whether they overlap or not.
+    #[inline(always)]
+    fn holds(&self, _touch: &Touch<V>, _memory: &Self::Memory) -> V::Mask {
+        V::mask(0)
+    }
 }
 
 /// Tangential part of a law.
@@ -143,6 +150,8 @@ pub trait Rolling: Written<f64> + Send + Sync + 'static {
 pub trait Dashpots<V: Lanes>: Numbers<V> {
     /// Normal force [N] of a spring of this force and stiffness [N/m] with the dashpot beside it.
     fn normal(&self, elastic: V, stiffness: V, touch: &Touch<V>) -> V;
+    /// The same where a bond holds, which passes on whatever dashpot and spring pull with.
+    fn bonded(&self, elastic: V, stiffness: V, touch: &Touch<V>) -> V;
     /// Whether any lane has a tangential dashpot.
     #[inline(always)]
     fn rubs(&self, _touch: &Touch<V>) -> bool {

@@ -109,6 +109,10 @@ pub trait ContactPass: Send + Sync {
     fn book(&self, k: usize) -> Book;
     /// Counts sliding ways from zero again.
     fn forget_slid(&mut self);
+    /// Whether contact k is bonded.
+    fn is_bonded(&self, k: usize) -> bool;
+    /// Bonds contact k, if the law knows bonds.
+    fn bond(&mut self, k: usize);
     /// Bytes per contact: parameters, memory, bookings.
     fn bytes(&self) -> [usize; 3];
     /// Number of contacts.
@@ -319,10 +323,13 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
         let same = before.as_any().downcast_ref::<Self>();
         for k in 0..self.count() {
             let law = self.law(k);
-            let memory = match same {
+            let mut memory = match same {
                 Some(same) => law.refit(&same.law(k), overlap(k), &same.memory.get(k)),
                 None => law.seed(overlap(k), before.reduced(k)),
             };
+            if before.is_bonded(k) {
+                memory.bond();
+            }
             self.memory.set(k, memory);
             if BOOK {
                 self.book.set(k, before.book(k));
@@ -360,6 +367,16 @@ impl<L: Law, const BOOK: bool> ContactPass for Pass<L, BOOK> {
             let book = self.book.get(k);
             self.book.set(k, Book { slid, ..book });
         }
+    }
+
+    fn is_bonded(&self, k: usize) -> bool {
+        self.memory.get(k).is_bonded()
+    }
+
+    fn bond(&mut self, k: usize) {
+        let mut memory = self.memory.get(k);
+        memory.bond();
+        self.memory.set(k, memory);
     }
 
     fn bytes(&self) -> [usize; 3] {

@@ -25,7 +25,12 @@ impl<V: Lanes> Numbers<V> for PlainConstant<V> {
 impl<V: Lanes> Dashpots<V> for PlainConstant<V> {
     #[inline(always)]
     fn normal(&self, elastic: V, _: V, touch: &Touch<V>) -> V {
-        (elastic + self.0[0] * touch.approach).positive()
+        self.bonded(elastic, elastic, touch).positive()
+    }
+
+    #[inline(always)]
+    fn bonded(&self, elastic: V, _: V, touch: &Touch<V>) -> V {
+        elastic + self.0[0] * touch.approach
     }
 
     #[inline(always)]
@@ -64,6 +69,11 @@ impl<V: Lanes> Dashpots<V> for PlainFollowing<V> {
             elastic.positive()
         }
     }
+
+    #[inline(always)]
+    fn bonded(&self, elastic: V, stiffness: V, touch: &Touch<V>) -> V {
+        elastic + self.0 * stiffness.sqrt() * touch.approach
+    }
 }
 
 #[cfg(test)]
@@ -89,6 +99,8 @@ mod tests {
         shear: 4e8,
         friction: 0.5,
         cohesion: 0.0,
+        bond_tension: 0.0,
+        bond_shear: 0.0,
         rolling_friction: 0.0,
         rolling_shape: 0.0,
         dashpot: Dashpot::None,
@@ -100,7 +112,7 @@ mod tests {
 
     /// Whether three contacts of different sizes, two of one pair of materials and one of another, are
     /// all plain.
-    fn plain<L: Law>(pairs: [Pair; 2], critical_above: f64) -> bool {
+    fn plain<L: Law>(pairs: &[Pair; 2], critical_above: f64) -> bool {
         let mut parameters = Parameters::<L>::new();
         for (k, pair) in [&pairs[0], &pairs[0], &pairs[1]].into_iter().enumerate() {
             let basis = Basis {
@@ -119,8 +131,8 @@ mod tests {
     fn both(pair: Pair) -> [bool; 2] {
         let above = f64::INFINITY;
         [
-            plain::<Spheres>([pair; 2], above),
-            plain::<Discs>([pair; 2], above),
+            plain::<Spheres>(&[pair; 2], above),
+            plain::<Discs>(&[pair; 2], above),
         ]
     }
 
@@ -152,7 +164,7 @@ mod tests {
             }),
             [false; 2]
         );
-        assert!(!plain::<Spheres>([PAIR; 2], 0.01) && !plain::<Discs>([PAIR; 2], 0.01));
+        assert!(!plain::<Spheres>(&[PAIR; 2], 0.01) && !plain::<Discs>(&[PAIR; 2], 0.01));
         let smooth = Pair {
             friction: 0.0,
             ..PAIR
@@ -165,11 +177,11 @@ mod tests {
                 ..PAIR
             },
         ];
-        assert!(!plain::<Spheres>(two, f64::INFINITY));
+        assert!(!plain::<Spheres>(&two, f64::INFINITY));
         let sticky = two.map(|pair| Pair {
             cohesion: 3.0,
             ..pair
         });
-        assert!(plain::<Spheres>(sticky, f64::INFINITY));
+        assert!(plain::<Spheres>(&sticky, f64::INFINITY));
     }
 }

@@ -45,7 +45,8 @@ impl<V: Lanes> Load<V> {
 pub struct Shear<V: Lanes = f64> {
     /// Spring force [N].
     pub force: V,
-    /// Energy lost in this step by sliding of the whole contact and by slip within it [J].
+    /// Energy lost in this step by sliding of the whole contact, and by slip within it or with a bond
+    /// that broke [J].
     pub loss: [V; 2],
     /// Whether the whole contact slid.
     pub sliding: V::Mask,

@@ -122,9 +122,11 @@ impl World {
         self.booked(|world| {
             world.particles.keep_only(stays);
             world.close_accounts(stays);
+            let bonds = world.bonds();
             let left = world.contacts.keep_only(stays);
             world.see();
             world.keep(&left);
+            world.bonds_made -= bonds - world.bonds();
             world.rework();
         });
     }

@@ -6,6 +6,7 @@
 //! velocities stay what they are at the boundary, whatever becomes of step and mass.
 
 mod bodies;
+mod bonds;
 mod walls;
 
 pub use bodies::Motion;
@@ -98,20 +99,25 @@ impl World {
             world.relist();
             world.replan();
             world.retime();
-            let before = world.contacts.status.clone();
-            // A centre on a wall has no force: no cycle begins before it is taken away.
-            world.misplaced = world.touch(0.0).err();
-            // No time has passed: what slid in the last cycle still did.
-            for (now, before) in world.contacts.status.iter_mut().zip(before) {
-                if *now == Status::Touching && before == Status::Sliding {
-                    *now = before;
-                }
-            }
-            // The change is none of the FRACC monitor's business: no comparison with old sums.
-            world.pass_over_particles(motion::settle);
-            world.settled = true;
-            world.fit_step();
+            world.touch_again();
         });
+    }
+
+    /// Forces of this boundary as contacts are now.
+    fn touch_again(&mut self) {
+        let before = self.contacts.status.clone();
+        // A centre on a wall has no force: no cycle begins before it is taken away.
+        self.misplaced = self.touch(0.0).err();
+        // No time has passed: what slid in the last cycle still did.
+        for (now, before) in self.contacts.status.iter_mut().zip(before) {
+            if *now == Status::Touching && before == Status::Sliding {
+                *now = before;
+            }
+        }
+        // The change is none of the FRACC monitor's business: no comparison with old sums.
+        self.pass_over_particles(motion::settle);
+        self.settled = true;
+        self.fit_step();
     }
 
     /// A change of forces, masses or step moves the half step before a boundary, not the velocity

@@ -72,6 +72,8 @@ impl World {
             materials: [a, b],
             friction: None,
             cohesion: None,
+            bond_tension: None,
+            bond_shear: None,
             restitution: None,
             rolling_friction: None,
             normal_stiffness: None,

@@ -82,6 +82,8 @@ pub struct Energies {
 /// Cumulative losses and work at a boundary [J].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Bookings {
+    /// Lost with bonds that broke: what their springs held.
+    pub bond_loss: f64,
     /// Lost by friction: sliding, slip within contacts, rolling.
     pub friction_loss: f64,
     /// The part of it that was lost by slip within contacts.
@@ -145,11 +147,18 @@ impl World {
             + e.elastic_tangential
             + e.potential
             + e.transit;
-        let [sliding, slip] = total.friction;
-        let lost = sliding + slip + total.dashpots + total.drag;
+        let [sliding, within] = total.friction;
+        // A law that bonds has no slip within a contact: what breaks is booked in its place.
+        let (slip, bond) = if self.model.law.has_bonds() {
+            (0.0, within)
+        } else {
+            (within, 0.0)
+        };
+        let lost = sliding + within + total.dashpots + total.drag;
         let missing = stored + lost - ledger.opening - work;
         let scale = ledger.opening.abs() + ledger.turnover + e.potential.abs();
         Some(Bookings {
+            bond_loss: bond,
             friction_loss: sliding + slip,
             slip_loss: slip,
             damping_loss: total.dashpots,

@@ -74,14 +74,7 @@ impl Generate {
 
 fn parse(words: &mut Words<'_>) -> Result<Command, Mistake> {
     words.keyword(&["in"])?;
-    let place = if words.keyword(&["circle", "rectangle"])? == "circle" {
-        GeneratePlace::Circle {
-            centre: words.vector("the centre")?,
-            radius: words.positive("the radius of the circle")?,
-        }
-    } else {
-        rectangle(words)?
-    };
+    let place = place(words)?;
     words.keyword(&["radius"])?;
     let mut generate = Generate {
         place,
@@ -97,6 +90,18 @@ fn parse(words: &mut Words<'_>) -> Result<Command, Mistake> {
         }
     }
     Ok(Command::Generate(generate))
+}
+
+/// A circle or a rectangle.
+pub(super) fn place(words: &mut Words<'_>) -> Result<GeneratePlace, Mistake> {
+    if words.keyword(&["circle", "rectangle"])? == "circle" {
+        Ok(GeneratePlace::Circle {
+            centre: words.vector("the centre")?,
+            radius: words.positive("the radius of the circle")?,
+        })
+    } else {
+        rectangle(words)
+    }
 }
 
 fn rectangle(words: &mut Words<'_>) -> Result<GeneratePlace, Mistake> {
@@ -115,18 +120,37 @@ fn rectangle(words: &mut Words<'_>) -> Result<GeneratePlace, Mistake> {
     Ok(GeneratePlace::Rectangle { min, max })
 }
 
-impl fmt::Display for Generate {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.place {
-            GeneratePlace::Circle { centre, radius } => {
-                let radius = number::format(radius);
-                write!(f, "in circle {} {radius}", vector(centre))?;
+impl GeneratePlace {
+    /// Whether a point [m] is inside or on the border.
+    pub fn contains(self, x: [f64; 2]) -> bool {
+        match self {
+            Self::Circle { centre, radius } => {
+                let d = [x[0] - centre[0], x[1] - centre[1]];
+                d[0] * d[0] + d[1] * d[1] <= radius * radius
             }
-            GeneratePlace::Rectangle { min, max } => {
-                write!(f, "in rectangle {} {}", vector(min), vector(max))?;
+            Self::Rectangle { min, max } => (0..2).all(|k| min[k] <= x[k] && x[k] <= max[k]),
+        }
+    }
+}
+
+impl fmt::Display for GeneratePlace {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Circle { centre, radius } => {
+                let radius = number::format(radius);
+                write!(f, "circle {} {radius}", vector(centre))
+            }
+            Self::Rectangle { min, max } => {
+                write!(f, "rectangle {} {}", vector(min), vector(max))
             }
         }
-        write!(f, " radius {}", number::format(self.radius))?;
+    }
+}
+
+impl fmt::Display for Generate {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let radius = number::format(self.radius);
+        write!(f, "in {} radius {radius}", self.place)?;
         if let Some(count) = self.count {
             write!(f, " count {count}")?;
         }

@@ -1,6 +1,7 @@
 //! The verbs: one file for each or for a close family, with its card, what it is as data and how
 //! it is read and written.
 
+pub mod bond;
 pub mod boundary;
 pub mod con1;
 pub mod create;

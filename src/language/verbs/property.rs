@@ -12,8 +12,8 @@ pub const CARD: Card = Card {
     aliases: &["type"],
     usage: "property MATERIAL KEY VALUE",
     summary: "changes a property of a material",
-    detail: "Keys: density [kg/m3], friction [-], cohesion [N], rolling_friction [-], normal_stiffness and \
-             shear_stiffness [N/m], young [Pa], poisson [-]. The time step follows at once.",
+    detail: "Keys: density [kg/m3], friction [-], cohesion [N], bond_tension and bond_shear [N], \
+             rolling_friction [-], normal_stiffness and shear_stiffness [N/m], young [Pa], poisson [-]. The time step follows at once.",
     examples: &[
         "property steel density 7800",
         "property glass normal_stiffness 1.5e8",
@@ -31,6 +31,10 @@ pub enum Property {
     Friction,
     /// Cohesion [N].
     Cohesion,
+    /// Pull that a bond bears [N].
+    BondTension,
+    /// Shear that a bond bears without normal force [N].
+    BondShear,
     /// Coefficient of rolling friction [-].
     RollingFriction,
     /// Normal stiffness [N/m].
@@ -44,10 +48,12 @@ pub enum Property {
 }
 
 /// Every property and the word for it.
-const KEYS: [(&str, Property); 8] = [
+const KEYS: [(&str, Property); 10] = [
     ("density", Property::Density),
     ("friction", Property::Friction),
     ("cohesion", Property::Cohesion),
+    ("bond_tension", Property::BondTension),
+    ("bond_shear", Property::BondShear),
     ("rolling_friction", Property::RollingFriction),
     ("normal_stiffness", Property::NormalStiffness),
     ("shear_stiffness", Property::ShearStiffness),
@@ -63,6 +69,8 @@ fn parse(words: &mut Words<'_>) -> Result<Command, Mistake> {
         Property::Density | Property::NormalStiffness | Property::Young => words.positive(what)?,
         Property::Friction
         | Property::Cohesion
+        | Property::BondTension
+        | Property::BondShear
         | Property::RollingFriction
         | Property::ShearStiffness => words.not_negative(what)?,
         Property::Poisson => {

@@ -22,13 +22,17 @@ fn stress(world: &World, k: usize) -> [f64; 2] {
     ContactArea::of(world, k).stress(reaction.normal, reaction.tangential)
 }
 
-/// A loss since first touch, out of those the books keep: sliding, slip within, dashpots [J].
-fn lost(world: &World, k: usize, which: &[usize]) -> f64 {
+/// Losses since first touch: sliding, slip within, dashpots, a bond that broke [J].
+fn lost(world: &World, k: usize) -> [f64; 4] {
     if world.ledger().is_none() {
-        return f64::NAN;
+        return [f64::NAN; 4];
     }
-    let book = world.pass().book(k);
-    which.iter().map(|&loss| book.lost[loss]).sum()
+    let [sliding, within, dashpots] = world.pass().book(k).lost;
+    if world.model().law.has_bonds() {
+        [sliding, 0.0, dashpots, within]
+    } else {
+        [sliding, within, dashpots, 0.0]
+    }
 }
 
 /// All of them. An absent contact carries nothing: 0. What a law does not know is NaN.
@@ -91,21 +95,38 @@ pub const CONTACT: &[Row<ReadContact>] = &[
         "friction_loss",
         "J",
         "energy lost by sliding and by slip within since first touch",
-        |world, k| lost(world, k, &[0, 1]),
+        |world, k| {
+            let [sliding, slip, ..] = lost(world, k);
+            sliding + slip
+        },
     )
     .booked(),
     row(
         "slip_loss",
         "J",
         "the part of it that was lost by slip within the contact",
-        |world, k| lost(world, k, &[1]),
+        |world, k| lost(world, k)[1],
     )
     .booked(),
     row(
         "damping_loss",
         "J",
         "energy lost in the dashpots since first touch",
-        |world, k| lost(world, k, &[2]),
+        |world, k| lost(world, k)[2],
     )
     .booked(),
+    row(
+        "bond_loss",
+        "J",
+        "energy lost with a bond that broke since first touch",
+        |world, k| lost(world, k)[3],
+    )
+    .booked(),
+    row(
+        "bonded",
+        "-",
+        "1 where a bond holds, 0 elsewhere",
+        |world, k| f64::from(world.is_bonded(k)),
+    )
+    .counted(),
 ];

@@ -48,6 +48,14 @@ pub(super) const ROWS: &[Row<Read>] = &[
         |r| r.assembly().sliding_fraction,
     )
     .usual(),
+    world("bonds", "-", "bonds that hold", |s| {
+        s.world().bonds() as f64
+    })
+    .counted(),
+    world("bonds_broken", "-", "bonds that broke", |s| {
+        s.world().bonds_broken() as f64
+    })
+    .counted(),
     world(
         "boundary_particles",
         "-",

@@ -52,6 +52,11 @@ pub(super) const ROWS: &[Row<Read>] = &[
         |s| s.bookings().slip_loss,
     ),
     booked(
+        "bond_loss",
+        "energy lost with bonds that broke, what their springs held, cumulative",
+        |s| s.bookings().bond_loss,
+    ),
+    booked(
         "damping_loss",
         "energy lost in contact dashpots, cumulative",
         |s| s.bookings().damping_loss,

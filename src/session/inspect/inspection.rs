@@ -20,7 +20,7 @@ pub struct Inspection {
     pub state: &'static str,
     /// Friction coefficient; zero where nothing limits the tangential force.
     pub friction: f64,
-    /// Cohesion [N].
+    /// Cohesion, or what a bond bears in shear [N].
     pub cohesion: f64,
     /// Radius of the contact area, NaN while it is apart [m].
     pub radius: f64,
@@ -54,14 +54,22 @@ impl Inspection {
         let Some(k) = follower.touching(world) else {
             return inspection;
         };
-        if world.contacts().status[k] == Status::Sliding {
+        let bonded = world.is_bonded(k);
+        if bonded {
+            inspection.state = "bonded";
+        } else if world.contacts().status[k] == Status::Sliding {
             inspection.state = "slides";
         } else {
             inspection.state = "touches";
         }
         if world.pass().is_frictional(k) {
             let pair = world.pair_of(k);
-            (inspection.friction, inspection.cohesion) = (pair.friction, pair.cohesion);
+            let own = if bonded {
+                pair.bond_shear
+            } else {
+                pair.cohesion
+            };
+            (inspection.friction, inspection.cohesion) = (pair.friction, own);
             inspection.traction = world.pass().traction(k);
         }
         inspection.radius = ContactArea::of(world, k).radius;
@@ -106,9 +114,14 @@ fn numbers(world: &World, k: usize, now: Option<&Moment>) -> Vec<Inner> {
     rows.push(Inner::number("stored by T", tangential, "J"));
     if world.ledger().is_some() {
         let [sliding, slip, dashpots] = world.pass().book(k).lost;
+        let within = if world.model().law.has_bonds() {
+            "lost: bond"
+        } else {
+            "lost: slip"
+        };
         rows.extend([
             Inner::number("lost: sliding", sliding, "J"),
-            Inner::number("lost: slip", slip, "J"),
+            Inner::number(within, slip, "J"),
             Inner::number("lost: dashpots", dashpots, "J"),
         ]);
     }

@@ -112,6 +112,13 @@ fn listed_contact(world: &World, k: usize) -> Vec<String> {
 }
 
 fn state(world: &World, k: usize) -> String {
+    if world.is_bonded(k) {
+        let pair = world.pair_of(k);
+        return format!(
+            "bonded, until pulled with more than {} N",
+            figure(pair.bond_tension)
+        );
+    }
     match world.contacts().status[k] {
         Status::Apart => format!("apart by {} m", figure(-world.geometry(k).overlap)),
         Status::Touching => "touching".into(),
@@ -142,7 +149,12 @@ fn forces(world: &World, k: usize, carried: &Carried) -> Vec<(&'static str, Stri
         ("t", split(carried.tangential, spring_t)),
     ];
     if world.pass().is_frictional(k) || pair.cohesion > 0.0 {
-        let limit = pair.friction * carried.normal + pair.cohesion;
+        let (own, pressed) = if carried.bonded {
+            (pair.bond_shear, spring_n.max(0.0))
+        } else {
+            (pair.cohesion, carried.normal)
+        };
+        let limit = pair.friction * pressed + own;
         let used = if limit > 0.0 {
             per_cent(spring_t.abs() / limit)
         } else {
@@ -154,7 +166,7 @@ fn forces(world: &World, k: usize, carried: &Carried) -> Vec<(&'static str, Stri
                 "{} N with mu {} and c {} N, {used} of it used",
                 figure(limit),
                 figure(pair.friction),
-                figure(pair.cohesion)
+                figure(own)
             ),
         ));
     } else {
@@ -276,15 +288,20 @@ fn energies(world: &World, k: usize, overlap: f64) -> Vec<(&'static str, String)
     let mut rows = vec![("energy in the springs", stored)];
     if world.ledger().is_some() {
         let book = world.pass().book(k);
+        let within = if world.model().law.has_bonds() {
+            "bond"
+        } else {
+            "slip"
+        };
         let lost = format!(
-            "sliding {} J, slip {} J, dashpots {} J",
+            "sliding {} J, {within} {} J, dashpots {} J",
             figure(book.friction_loss[0]),
             figure(book.friction_loss[1]),
             figure(book.damping_loss)
         );
         rows.push(("lost in the last cycle", lost));
         let [sliding, slip, dashpots] = book.lost.map(figure);
-        let lost = format!("sliding {sliding} J, slip {slip} J, dashpots {dashpots} J");
+        let lost = format!("sliding {sliding} J, {within} {slip} J, dashpots {dashpots} J");
         rows.push(("lost since first touch", lost));
         let delta = format!("{} m since first touch", figure(book.delta));
         rows.push(("tangential displacement", delta));

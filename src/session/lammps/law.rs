@@ -46,6 +46,11 @@ impl<'w> Words<'w> {
                 "normal forces from the overlap",
             );
         }
+        if model.law.has_bonds() {
+            fit.refuses(
+                "law bonded, whose contacts pull: pair_style granular of LAMMPS knows no bonds",
+            );
+        }
         if plan.rolling {
             fit.lacks(
                 "rolling resistance: its spring of LAMMPS is another one",

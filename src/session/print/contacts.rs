@@ -31,6 +31,8 @@ pub(in crate::session) struct Carried {
     pub(in crate::session) overlap: f64,
     /// Direction of the normal [degrees], 0 to 180.
     pub(in crate::session) angle: f64,
+    /// Whether a bond holds it.
+    pub(in crate::session) bonded: bool,
     /// Whether the whole contact slid in the last cycle.
     pub(in crate::session) sliding: bool,
     /// Way that it slid since the reference or first touch [m], if that is booked.
@@ -69,6 +71,7 @@ impl Carried {
             tangential: reaction.tangential,
             overlap: geometry.overlap,
             angle: direction(geometry.e),
+            bonded: world.is_bonded(k),
             sliding: reaction.sliding,
             slid: slid(world, k),
             obliquity: (!obliquity.is_nan()).then_some(obliquity),
@@ -155,7 +158,12 @@ pub(super) fn lines(world: &World, range: Option<ParticleRange>) -> Vec<String> 
             figure(c.depth) + mark,
         ];
         cells.extend(is_booked.then(|| optional(c.slid)));
-        cells.push(if c.sliding { "slides" } else { "" }.to_owned());
+        let state = match (c.bonded, c.sliding) {
+            (true, _) => "bonded",
+            (false, true) => "slides",
+            (false, false) => "",
+        };
+        cells.push(state.to_owned());
         table.row(cells);
     }
     let mut lines = table.lines();

@@ -23,9 +23,13 @@ pub(super) fn lines(world: &World) -> Vec<String> {
         );
         return lines;
     };
+    rows.push(("lost by friction", joules(b.friction_loss)));
+    rows.push(if world.model().law.has_bonds() {
+        ("lost with broken bonds", joules(b.bond_loss))
+    } else {
+        ("of it slip in contacts", joules(b.slip_loss))
+    });
     rows.extend([
-        ("lost by friction", joules(b.friction_loss)),
-        ("of it slip in contacts", joules(b.slip_loss)),
         ("lost in contact dashpots", joules(b.damping_loss)),
         ("lost by global damping", joules(b.global_loss)),
         ("work put in", joules(b.boundary_work)),

@@ -1,7 +1,7 @@
 //! PRINT TYPES: the materials, and what their pairs make of them.
 
 use super::super::figure::figure;
-use super::layout::{Table, name, number, optional, words};
+use super::layout::{Head, Table, name, number, optional, words};
 use crate::engine::World;
 use crate::engine::pair::Pair;
 use crate::engine::setup::Dashpot;
@@ -21,49 +21,57 @@ pub(super) fn lines(world: &World) -> Vec<String> {
 }
 
 fn properties(world: &World) -> Vec<String> {
-    let mut table = Table::new(
-        1,
-        &[
-            words("type"),
-            number("density", "kg/m3"),
-            number("k_n", "N/m"),
-            number("k_s", "N/m"),
-            number("friction", "-"),
-            number("cohesion", "N"),
-            number("young", "Pa"),
-            number("poisson", "-"),
-            words("rigid"),
-        ],
-    );
+    let bonds = world.model().law.has_bonds();
+    let mut columns = vec![
+        words("type"),
+        number("density", "kg/m3"),
+        number("k_n", "N/m"),
+        number("k_s", "N/m"),
+        number("friction", "-"),
+        number("cohesion", "N"),
+    ];
+    columns.extend(bonds.then(strengths).into_iter().flatten());
+    columns.extend([
+        number("young", "Pa"),
+        number("poisson", "-"),
+        words("rigid"),
+    ]);
+    let mut table = Table::new(1, &columns);
     for material in &world.model().materials {
-        table.row(vec![
+        let mut cells = vec![
             name(&material.name),
             figure(material.density),
             optional(material.normal_stiffness),
             optional(material.shear_stiffness),
             figure(material.friction),
             figure(material.cohesion),
+        ];
+        if bonds {
+            cells.extend([material.bond_tension, material.bond_shear].map(figure));
+        }
+        cells.extend([
             optional(material.young),
             optional(material.poisson),
             if material.rigid { "rigid" } else { "" }.to_owned(),
         ]);
+        table.row(cells);
     }
     table.lines()
 }
 
 fn pairs(world: &World) -> Table {
-    let mut table = Table::new(
-        2,
-        &[
-            words("type"),
-            words("with"),
-            number("k_n", "N/m"),
-            number("k_s", "N/m"),
-            number("mu", "-"),
-            number("cohesion", "N"),
-            words("dashpot"),
-        ],
-    );
+    let bonds = world.model().law.has_bonds();
+    let mut columns = vec![
+        words("type"),
+        words("with"),
+        number("k_n", "N/m"),
+        number("k_s", "N/m"),
+        number("mu", "-"),
+        number("cohesion", "N"),
+    ];
+    columns.extend(bonds.then(strengths).into_iter().flatten());
+    columns.push(words("dashpot"));
+    let mut table = Table::new(2, &columns);
     let materials = &world.model().materials;
     let count = materials.len();
     let particles: Vec<usize> = (0..count)
@@ -79,15 +87,19 @@ fn pairs(world: &World) -> Table {
         .filter(|&m| world.walls().iter().any(|wall| wall.material == m))
         .collect();
     let mut row = |a: usize, with: String, pair: &Pair| {
-        table.row(vec![
+        let mut cells = vec![
             name(&materials[a].name),
             with,
             figure(pair.normal_stiffness),
             figure(pair.shear_stiffness),
             figure(pair.friction),
             figure(pair.cohesion),
-            dashpots(pair),
-        ]);
+        ];
+        if bonds {
+            cells.extend([pair.bond_tension, pair.bond_shear].map(figure));
+        }
+        cells.push(dashpots(pair));
+        table.row(cells);
     };
     for &a in &particles {
         for &b in particles.iter().filter(|&&b| b >= a) {
@@ -100,6 +112,11 @@ fn pairs(world: &World) -> Table {
         }
     }
     table
+}
+
+/// What bonds bear, in tension and in shear.
+fn strengths() -> [Head; 2] {
+    [number("bond_tension", "N"), number("bond_shear", "N")]
 }
 
 /// The dashpots of a pair in few words.

@@ -32,13 +32,17 @@ fn stored(energies: &Energies) -> [(&'static str, f64); 5] {
 }
 
 /// Gone or come in since the start.
-fn flows(bookings: &Bookings) -> [(&'static str, f64); 4] {
-    [
+fn flows(bookings: &Bookings) -> Vec<(&'static str, f64)> {
+    let mut flows = vec![
         ("boundary work", bookings.boundary_work),
         ("lost: friction", bookings.friction_loss),
         ("lost: dashpots", bookings.damping_loss),
         ("lost: global", bookings.global_loss),
-    ]
+    ];
+    if bookings.bond_loss != 0.0 {
+        flows.push(("lost: bonds", bookings.bond_loss));
+    }
+    flows
 }
 
 fn draw(app: &App, _: PaneId, area: Rect, buffer: &mut Buffer) {
