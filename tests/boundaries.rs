@@ -6,6 +6,8 @@ mod common;
 mod cells;
 #[path = "boundaries/channel.rs"]
 mod channel;
+#[path = "boundaries/direct_stress.rs"]
+mod direct_stress;
 #[path = "boundaries/flows.rs"]
 mod flows;
 #[path = "boundaries/grains.rs"]

@@ -44,7 +44,7 @@ impl Session {
                 }
                 self.world.set_strain_rate([[0.0; 2]; 2], 0);
                 Ok(self.set_servo(&ServoGoal {
-                    goals: Component::ALL.map(|part| (part, part.of(tensor))).to_vec(),
+                    goals: Component::WHOLE.map(|part| (part, part.of(tensor))).to_vec(),
                     over: *over,
                     gain: 1.0,
                 }))
