@@ -20,5 +20,7 @@ mod rings;
 mod servos;
 #[path = "boundaries/stress.rs"]
 mod stress;
+#[path = "boundaries/wall_servos.rs"]
+mod wall_servos;
 #[path = "boundaries/walls.rs"]
 mod walls;
