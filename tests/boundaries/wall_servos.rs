@@ -132,7 +132,6 @@ fn a_wall_that_has_to_keep_moving_holds_its_force() {
         let second = &moved[moved.len() / 2..];
         assert!(second[0].0 > 15.0 * answer(), "it is too short");
         let mean = second.iter().map(|(_, f)| f).sum::<f64>() / second.len() as f64;
-        println!("{command}: {mean}");
         assert!((mean / FORCE - 1.0).abs() < 0.01, "{command}: {mean} N");
         // It was under way what the closed form says, 2/e of v K T.
         let most = moved
