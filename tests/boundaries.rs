@@ -6,6 +6,8 @@ mod common;
 mod cells;
 #[path = "boundaries/channel.rs"]
 mod channel;
+#[path = "boundaries/direct_stress.rs"]
+mod direct_stress;
 #[path = "boundaries/flows.rs"]
 mod flows;
 #[path = "boundaries/grains.rs"]
@@ -18,5 +20,7 @@ mod rings;
 mod servos;
 #[path = "boundaries/stress.rs"]
 mod stress;
+#[path = "boundaries/wall_servos.rs"]
+mod wall_servos;
 #[path = "boundaries/walls.rs"]
 mod walls;

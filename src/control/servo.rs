@@ -2,8 +2,15 @@
 //!
 //! Cundall's boundary servo of 1983 (Randall 1989, 4.1): "adjusting the appropriate components of the
 //! boundary strain tensor". Mean stress, difference of the direct stresses and shear stress are steered
-//! by the isotropic, the deviatoric and the shear part of the strain rate, each in proportion to what is
-//! missing and to its integral: the latter makes what has to go on, dilation for instance, cost nothing.
+//! by the isotropic, the deviatoric and the shear part of the strain rate, one direct stress by the strain
+//! rate along it, each in proportion to what is missing and to its integral: the latter makes what has
+//! to go on, dilation for instance, cost nothing.
+//!
+//! All of them count on the stress per isotropic strain M = Σ k l²/2V of contacts of stiffness k and
+//! length l. A strain along direction 1 alone changes stress 11 by Σ (k n1⁴ + ks n1² n2²) l²/V, where n
+//! are the contact normals and ks is the shear stiffness: by (3 + ks/k) M/4 if the normals are isotropic,
+//! which is M at most, and by 2 M if all point along 1, at which the time constant is halved and still
+//! what waves allow (see `pace`).
 
 use nalgebra::Matrix2;
 use serde::{Deserialize, Serialize};
@@ -28,11 +35,24 @@ pub enum Component {
     Deviator,
     /// (σ12 + σ21)/2.
     Shear,
+    /// σ11.
+    S11,
+    /// σ22.
+    S22,
 }
 
 impl Component {
-    /// All of them.
-    pub const ALL: [Self; 3] = [Self::Mean, Self::Deviator, Self::Shear];
+    /// Three that make a whole stress.
+    pub const WHOLE: [Self; 3] = [Self::Mean, Self::Deviator, Self::Shear];
+
+    /// Whether a goal for this part and one for the other say too much together, or contradict: two
+    /// direct stresses make a mean and a difference, and one of each is a mixture that no strain rate
+    /// belongs to alone.
+    pub fn excludes(self, other: Self) -> bool {
+        let one = |part| matches!(part, Self::S11 | Self::S22);
+        let both = |part| matches!(part, Self::Mean | Self::Deviator);
+        self == other || (one(self) && both(other)) || (both(self) && one(other))
+    }
 
     /// This part of a stress [Pa].
     pub fn of(self, stress: &Tensor) -> f64 {
@@ -41,6 +61,8 @@ impl Component {
             Self::Mean => 0.5 * (s11 + s22),
             Self::Deviator => s11 - s22,
             Self::Shear => 0.5 * (s12 + s21),
+            Self::S11 => s11,
+            Self::S22 => s22,
         }
     }
 
@@ -51,6 +73,8 @@ impl Component {
             // The stress is a difference of two.
             Self::Deviator => [[0.5 * rate, 0.0], [0.0, -0.5 * rate]],
             Self::Shear => [[0.0, 0.5 * rate], [0.5 * rate, 0.0]],
+            Self::S11 => [[rate, 0.0], [0.0, 0.0]],
+            Self::S22 => [[0.0, 0.0], [0.0, rate]],
         }
     }
 }

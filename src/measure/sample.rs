@@ -12,7 +12,6 @@ use super::reference::Reference;
 use super::region::{Region, Shape};
 use super::regional::Regional;
 use super::tensor::matrix;
-use super::wall_force::WallForce;
 use crate::engine::World;
 use crate::engine::ledger::{Bookings, Energies};
 use crate::engine::neighbours::Status;
@@ -158,7 +157,7 @@ impl<'a> Sample<'a> {
             Column::Wall(name, row) => {
                 let mut walls = self.world.walls().iter();
                 let found = walls.position(|wall| wall.name == *name);
-                found.map_or(f64::NAN, |w| (row.read)(&WallForce::of(self.world, w)))
+                found.map_or(f64::NAN, |w| (row.read)(self.world, w))
             }
             Column::Contact(i, partner, row) => self.contact(*i, partner, row.read),
             Column::Particle(id, row) => {

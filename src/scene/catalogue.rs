@@ -110,6 +110,7 @@ pub const PRESETS: &[Preset] = &[
         "periodic-shear",
         include_str!("../../presets/periodic-shear.toml"),
     ),
+    preset("biaxial", include_str!("../../presets/biaxial.toml")),
     preset(
         "shear-walls",
         include_str!("../../presets/shear-walls.toml"),

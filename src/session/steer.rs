@@ -2,7 +2,7 @@
 
 use super::figure::figure;
 use super::{Refusal, Session, change};
-use crate::control::{Component, Growth, Servo, Target, WallGoal, WallServo};
+use crate::control::{Component, EVERY, Growth, Servo, Target, WallGoal, WallServo};
 use crate::engine::boundary::{Boundary, Ring};
 use crate::language::Command;
 use crate::language::command::{Imposed, ServoGoal, WallChange};
@@ -44,7 +44,9 @@ impl Session {
                 }
                 self.world.set_strain_rate([[0.0; 2]; 2], 0);
                 Ok(self.set_servo(&ServoGoal {
-                    goals: Component::ALL.map(|part| (part, part.of(tensor))).to_vec(),
+                    goals: Component::WHOLE
+                        .map(|part| (part, part.of(tensor)))
+                        .to_vec(),
                     over: *over,
                     gain: 1.0,
                 }))
@@ -95,16 +97,20 @@ impl Session {
 
     fn set_wall_servo(&mut self, name: &str, goal: WallGoal, gain: f64) -> String {
         self.control.release_wall(name);
-        self.control.walls.push(WallServo {
-            wall: name.to_owned(),
-            goal,
-            gain,
-        });
-        let pressed = self.pressed(name);
-        format!(
+        self.control.walls.push(WallServo::new(name, goal, gain));
+        let mut said = format!(
             "wall {name} is steered; the particles press with {} N",
-            figure(pressed)
-        )
+            figure(self.pressed(name))
+        );
+        let found = self.world.walls().iter().position(|wall| wall.name == name);
+        let highest = found.and_then(|w| WallServo::highest_gain(&self.world, w));
+        if let Some(highest) = highest.filter(|highest| gain > *highest) {
+            said += &format!(
+                "; a gain above {} is no faster: a servo looks every {EVERY} cycles",
+                figure(highest)
+            );
+        }
+        said
     }
 
     /// Normal force on a wall now [N].
