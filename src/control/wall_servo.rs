@@ -126,6 +126,10 @@ impl WallServo {
                     || push[k] * applied[k] > 0.5 * applied[k] * applied[k];
                 if travels {
                     awaited[k] = push[k];
+                    // What held it back before does not any more.
+                    if missed[k] * push[k] < 0.0 {
+                        missed[k] = 0.0;
+                    }
                 } else {
                     let beyond = velocity_for(push[k] - awaited[k]);
                     missed[k] += beyond * interval / (INTEGRAL * answer);

@@ -145,6 +145,41 @@ fn a_wall_that_has_to_keep_moving_holds_its_force() {
     }
 }
 
+/// A wall that had to give way all the time and need not any more: the integral would hold it where what
+/// is missing is worth that speed, which is here less than half of the force.
+#[test]
+fn what_was_learnt_on_the_way_does_not_hold_a_wall_back() {
+    let speed = 0.03;
+    let lag = speed * AT_WALL * time_constant();
+    assert!(lag > 0.6 * FORCE, "the negative control is weak: {lag} N");
+    let session = lattice(
+        DAMPED,
+        &format!(
+            r#"
+            [[stage]]
+            name = "load"
+            do = ["wall left servo 3e4"]
+            max_cycles = 15_000
+            [[stage]]
+            name = "move"
+            do = ["wall right velocity -{speed} 0"]
+            max_cycles = 36_000
+            [[stage]]
+            name = "rest"
+            do = ["wall right velocity 0 0"]
+            max_cycles = 36_000
+            "#
+        ),
+    );
+    let rest = pressed(&session, 2);
+    let least = rest
+        .iter()
+        .fold(f64::INFINITY, |least, (_, f)| least.min(*f));
+    assert!(least < 0.5 * FORCE, "it never fell so far: {least} N");
+    let (_, last) = rest.last().expect("it ran");
+    assert!((last / FORCE - 1.0).abs() < 0.01, "{last} N");
+}
+
 /// What is missing after a step goes as exp(-t/A). With an integral over all that is missing it would be
 /// 1/e² of the step too much after 4 A.
 #[test]

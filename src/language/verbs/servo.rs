@@ -19,8 +19,9 @@ pub const CARD: Card = Card {
     detail: "Mean stress (s11 + s22)/2, deviator s11 - s22 and shear stress (s12 + s21)/2 of the first \
              region, in Pa, are held by what is added to the strain rate of the ring, walls or cell; what is \
              not named is left to `strain rate`. `s11` and `s22` hold one direct stress, or both, instead \
-             of mean and deviator: s22 while `strain rate` strains direction 1 is a biaxial test. Over N cycles the values are reached linearly from where \
-             they are: a stress path. Gain 1 suits most assemblies; more is faster and less stable. \
+             of mean and deviator: s22 while `strain rate` strains direction 1 is a biaxial test. Particles that \
+             hardly touch yet are gathered by `strain rate` first: a servo is slow where nothing answers. \
+             Over N cycles the values are reached linearly from where they are: a stress path. Gain 1 suits most assemblies; more is faster and less stable. \
              With con1 0.99 a servo is several times as fast, and gains up to 4 hold a mean stress to 0.1 % \
              while the assembly is sheared.",
     examples: &[

@@ -16,9 +16,10 @@ pub const CARD: Card = Card {
     detail: "Walls are kinematic: they move as told, whatever pushes them. Velocity in m/s, spin in \
              rad/s about the wall's turning point. `servo` moves the wall along its normal until the \
              particles press on it with FN newtons, reached linearly over N cycles; `force` until they \
-             hold a force that is applied to it. Gain 1 suits most assemblies; more is faster, up to where \
-             the looks every 10 cycles are the limit. `velocity` ends both. `from ... to` adds a wall between two points in \
-             m; without a material it takes the first of the scene.",
+             hold a force that is applied to it. Gain 1 suits most assemblies with dashpots or \
+             friction, and less those without any, which a servo sets swinging; more is faster, up to where \
+             the looks every 10 cycles are the limit. `velocity` ends both. `from ... to` adds a wall \
+             between two points in m; without a material it takes the first of the scene.",
     examples: &[
         "wall left velocity 0.05 0",
         "wall floor spin 0.2",
