@@ -139,7 +139,7 @@ fn only_what_is_near_inside_and_strong_is_bonded() {
         });
     }
     let mut world = world(setup);
-    assert_eq!(world.bond(None, |[x, _]| x > 3.0), 0);
+    assert_eq!(world.bond(None, |p| p > 0), 0);
     assert_eq!(world.bond(None, |_| true), 1);
     assert_eq!(world.bond(None, |_| true), 0);
     assert_eq!(world.bond(Some(1.0), |_| true), 1);

@@ -323,8 +323,8 @@ fn check_reach(world: &World, change: impl FnOnce(&mut Setup)) -> Result<(), Ref
 
 fn bond(world: &mut World, bond: &Bond) -> Result<String, Refusal> {
     check_bonds(world)?;
-    let place = bond.place;
-    let made = world.bond(bond.gap, |x| place.is_none_or(|place| place.contains(x)));
+    let inside = bond.place.map(|place| place.shape().members(world));
+    let made = world.bond(bond.gap, |p| inside.as_ref().is_none_or(|inside| inside[p]));
     Ok(format!("{made} bonds made, {} hold", world.bonds()))
 }
 

@@ -83,6 +83,22 @@ fn presets_and_commands_bond() {
     );
 }
 
+/// Places are those of regions: who has strayed from a cell counts where it would be in it.
+#[test]
+fn in_a_cell_places_are_those_of_the_cell() {
+    let body = PULLED.split_once("[[particle]]").expect("it has some").0;
+    let disc = |x| format!("[[particle]]\nat = [{x}, 1]\nradius = 1\nmaterial = \"a\"\n");
+    // The second has strayed by one edge: at home it touches the first.
+    let preset = format!("{body}{}{}[cell]\nsize = [10, 10]\n", disc(4), disc(12));
+    for (place, made) in [("3 0 13 2", "0 bonds made"), ("1 0 5 2", "1 bonds made")] {
+        let scene = Scene::parse("cell", &preset, &[]).expect("it is accepted");
+        let mut session = Session::open(scene, Options::default()).expect("it opens");
+        let reply = session.type_line(&format!("bond in rectangle {place}"));
+        let said = reply.expect("it is accepted").lines.join("");
+        assert!(said.starts_with(made), "{place}: {said}");
+    }
+}
+
 #[test]
 fn presets_that_cannot_bond_are_refused_with_the_reason() {
     let refused = |from: &str, to: &str, reason: &str| {

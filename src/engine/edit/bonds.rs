@@ -8,10 +8,10 @@ use crate::engine::neighbours::Status;
 const GAP: f64 = 1e-6;
 
 impl World {
-    /// Bonds all particles that touch, or are apart by no more than a gap [m], and whose centres in the
-    /// coordinates of the preset are both inside. Those that a bond could not hold there, or to whose
-    /// materials it gives no strength, stay without. Answers how many bonds that made.
-    pub fn bond(&mut self, gap: Option<f64>, inside: impl Fn([f64; 2]) -> bool) -> usize {
+    /// Bonds all particles that touch, or are apart by no more than a gap [m], and are both inside, by their
+    /// indices. Those that a bond could not hold there, or to whose materials it gives no strength, stay
+    /// without. Answers how many bonds that made.
+    pub fn bond(&mut self, gap: Option<f64>, inside: impl Fn(usize) -> bool) -> usize {
         let mut made = 0;
         self.booked(|world| {
             world.keeping_velocities(|world| {
@@ -24,17 +24,14 @@ impl World {
         made
     }
 
-    fn make_bonds(&mut self, gap: Option<f64>, inside: impl Fn([f64; 2]) -> bool) -> usize {
-        let inside: Vec<bool> = (0..self.particles.len())
-            .map(|p| inside(self.position(p)))
-            .collect();
+    fn make_bonds(&mut self, gap: Option<f64>, inside: impl Fn(usize) -> bool) -> usize {
         let mut pass = self.take_pass();
         let mut made = 0;
         for (k, &[i, j]) in self.contacts.pairs.iter().enumerate() {
             let [i, j] = [i as usize, j as usize];
             let pair = self.pair_of(k);
             let strong = pair.bond_tension > 0.0 || pair.bond_shear > 0.0;
-            if !(inside[i] && inside[j] && strong) || pass.is_bonded(k) {
+            if !(inside(i) && inside(j) && strong) || pass.is_bonded(k) {
                 continue;
             }
             let [a, b] = [i, j].map(|p| self.particles.row[p].radius);

@@ -5,6 +5,7 @@ use crate::language::list::Card;
 use crate::language::mistake::Mistake;
 use crate::language::number;
 use crate::language::words::{Words, quoted};
+use crate::measure::region::Shape;
 use std::fmt;
 
 /// Row in the list.
@@ -121,14 +122,11 @@ fn rectangle(words: &mut Words<'_>) -> Result<GeneratePlace, Mistake> {
 }
 
 impl GeneratePlace {
-    /// Whether a point [m] is inside or on the border.
-    pub fn contains(self, x: [f64; 2]) -> bool {
+    /// The same place as a region that particles are in or not.
+    pub fn shape(self) -> Shape {
         match self {
-            Self::Circle { centre, radius } => {
-                let d = [x[0] - centre[0], x[1] - centre[1]];
-                d[0] * d[0] + d[1] * d[1] <= radius * radius
-            }
-            Self::Rectangle { min, max } => (0..2).all(|k| min[k] <= x[k] && x[k] <= max[k]),
+            Self::Circle { centre, radius } => Shape::Circle { centre, radius },
+            Self::Rectangle { min, max } => Shape::Rectangle { min, max },
         }
     }
 }
