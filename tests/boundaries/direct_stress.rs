@@ -3,28 +3,16 @@
 
 use std::fmt::Write;
 
-use ballast::scene::Scene;
-use ballast::session::{Budget, Options, Session};
-
 use crate::common::Random;
-use crate::grains::grains;
+use crate::grains::{grains, ran, to_rest};
 
 /// Stress that is held [Pa].
 const LATERAL: f64 = 1e5;
 
-fn ran(preset: &str) -> Session {
-    let scene = Scene::parse("biaxial", preset, &[]).expect("the scene is sound");
-    let mut session = Session::open(scene, Options::default()).expect("the scene is sound");
-    session
-        .advance(Budget::default(), false)
-        .expect("nothing breaks");
-    session
-}
-
 /// 200 spheres compressed to 100 kPa, at rest with friction, then compressed along direction 1 while the
 /// stress along 2 is held: its mean over the second half is that, and the other one rises.
 fn held(boundary: &str, place: &str) {
-    let grains = grains(place);
+    let (grains, rest) = (grains(place), to_rest("servo s11 1e5 s22 1e5 shear 0"));
     let session = ran(&format!(
         r#"
         {grains}
@@ -32,21 +20,7 @@ fn held(boundary: &str, place: &str) {
         [history]
         every = 100
         columns = ["stress_11", "stress_22", "strain_11", "strain_22"]
-        [[stage]]
-        name = "gather"
-        do = ["continuum boundary", "strain rate 20 0 0 20", "con1 0.99"]
-        until = "porosity < 0.25"
-        max_cycles = 200_000
-        [[stage]]
-        name = "compress"
-        do = ["con1 0.9999", "strain rate 0 0 0 0", "servo mean 1e5"]
-        until = "abs(isotropic_stress - 1e5) < 1e3 and unbalanced < 5e-3"
-        max_cycles = 300_000
-        [[stage]]
-        name = "rest"
-        do = ["con1 0.999", "continuum none", "friction 0.3", "servo s11 1e5 s22 1e5 shear 0"]
-        until = "stage_cycle > 5000 and unbalanced < 1e-3 and sin_phi < 4e-3"
-        max_cycles = 100_000
+        {rest}
         [[stage]]
         name = "axial"
         do = ["servo s22 1e5 gain 8", "strain rate 0.84 0 0 0 over 1000"]

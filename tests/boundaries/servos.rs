@@ -1,9 +1,6 @@
 //! Servos that hold and follow a stress while a sample is sheared, by a ring, by walls and in a cell.
 
-use ballast::scene::Scene;
-use ballast::session::{Budget, Options, Session};
-
-use crate::grains::grains;
+use crate::grains::{grains, ran, to_rest};
 
 /// Mean stress that is held [Pa].
 const PRESSURE: f64 = 1e5;
@@ -34,7 +31,7 @@ struct Row {
 /// 200 spheres of the thesis' graded assembly, compressed, at rest with friction, sheared at constant
 /// mean stress and back again, then along a stress path that turns twice. All its stresses.
 fn tested(boundary: &str, place: &str) -> Vec<Row> {
-    let grains = grains(place);
+    let (grains, rest) = (grains(place), to_rest("servo mean 1e5 deviator 0 shear 0"));
     let preset = format!(
         r#"
         {grains}
@@ -42,21 +39,7 @@ fn tested(boundary: &str, place: &str) -> Vec<Row> {
         [history]
         every = 100
         columns = ["stress_11", "stress_22", "stress_12", "stress_21"]
-        [[stage]]
-        name = "gather"
-        do = ["continuum boundary", "strain rate 20 0 0 20", "con1 0.99"]
-        until = "porosity < 0.25"
-        max_cycles = 200_000
-        [[stage]]
-        name = "compress"
-        do = ["con1 0.9999", "strain rate 0 0 0 0", "servo mean 1e5"]
-        until = "abs(isotropic_stress - 1e5) < 1e3 and unbalanced < 5e-3"
-        max_cycles = 300_000
-        [[stage]]
-        name = "rest"
-        do = ["con1 0.999", "continuum none", "friction 0.3", "servo mean 1e5 deviator 0 shear 0"]
-        until = "stage_cycle > 5000 and unbalanced < 1e-3 and sin_phi < 4e-3"
-        max_cycles = 100_000
+        {rest}
         [[stage]]
         name = "shear"
         do = ["servo mean 1e5 gain 8", "strain rate -0.42 0 0 0.42 over 1000"]
@@ -79,11 +62,7 @@ fn tested(boundary: &str, place: &str) -> Vec<Row> {
         max_cycles = 40_000
         "#
     );
-    let scene = Scene::parse("servo", &preset, &[]).expect("the scene is sound");
-    let mut session = Session::open(scene, Options::default()).expect("the scene is sound");
-    session
-        .advance(Budget::default(), false)
-        .expect("nothing breaks");
+    let session = ran(&preset);
     let recording = session.recording();
     let rows = recording.rows().iter().enumerate();
     rows.map(|(k, row)| Row {

@@ -4,6 +4,8 @@
 use ballast::scene::Scene;
 use ballast::session::{Budget, Options, Session};
 
+use crate::grains::ran;
+
 /// Force that is held [N].
 const FORCE: f64 = 3e4;
 
@@ -84,15 +86,6 @@ const BOX: &str = r#"
         to = [0.4, 0.3]
 "#;
 
-fn ran(preset: &str) -> Session {
-    let scene = Scene::parse("servo", preset, &[]).expect("the scene is sound");
-    let mut session = Session::open(scene, Options::default()).expect("the scene is sound");
-    session
-        .advance(Budget::default(), false)
-        .expect("nothing breaks");
-    session
-}
-
 /// Time in a stage [s] and a column, times -1: particles press to the left.
 fn pressed(session: &Session, stage: u32) -> Vec<(f64, f64)> {
     let (recording, dt) = (session.recording(), session.world().dt());
@@ -100,6 +93,11 @@ fn pressed(session: &Session, stage: u32) -> Vec<(f64, f64)> {
     rows.filter(|(_, row)| row.stage == stage as _)
         .map(|(k, row)| (row.stage_cycle as f64 * dt, -recording.value(k, 0)))
         .collect()
+}
+
+/// A stage of so many cycles that begins with a command.
+fn stage(name: &str, command: &str, cycles: u32) -> String {
+    format!("[[stage]]\nname = \"{name}\"\ndo = [\"{command}\"]\nmax_cycles = {cycles}\n")
 }
 
 const DAMPED: &str = "contact = 0.3\nglobal = 50";
@@ -113,21 +111,9 @@ fn a_wall_that_has_to_keep_moving_holds_its_force() {
     let lag = speed * AT_WALL * time_constant();
     assert!(lag > 0.45 * FORCE, "the negative control is weak: {lag} N");
     for command in ["servo 3e4", "force 3e4 0"] {
-        let session = lattice(
-            DAMPED,
-            &format!(
-                r#"
-                [[stage]]
-                name = "load"
-                do = ["wall left {command}"]
-                max_cycles = 15_000
-                [[stage]]
-                name = "move"
-                do = ["wall right velocity -{speed} 0"]
-                max_cycles = 36_000
-                "#
-            ),
-        );
+        let load = stage("load", &format!("wall left {command}"), 15_000);
+        let moved = stage("move", &format!("wall right velocity -{speed} 0"), 36_000);
+        let session = lattice(DAMPED, &(load + &moved));
         let moved = pressed(&session, 1);
         let second = &moved[moved.len() / 2..];
         assert!(second[0].0 > 15.0 * answer(), "it is too short");
@@ -152,25 +138,12 @@ fn what_was_learnt_on_the_way_does_not_hold_a_wall_back() {
     let speed = 0.03;
     let lag = speed * AT_WALL * time_constant();
     assert!(lag > 0.6 * FORCE, "the negative control is weak: {lag} N");
-    let session = lattice(
-        DAMPED,
-        &format!(
-            r#"
-            [[stage]]
-            name = "load"
-            do = ["wall left servo 3e4"]
-            max_cycles = 15_000
-            [[stage]]
-            name = "move"
-            do = ["wall right velocity -{speed} 0"]
-            max_cycles = 36_000
-            [[stage]]
-            name = "rest"
-            do = ["wall right velocity 0 0"]
-            max_cycles = 36_000
-            "#
-        ),
-    );
+    let stages = [
+        stage("load", "wall left servo 3e4", 15_000),
+        stage("move", &format!("wall right velocity -{speed} 0"), 36_000),
+        stage("rest", "wall right velocity 0 0", 36_000),
+    ];
+    let session = lattice(DAMPED, &stages.concat());
     let rest = pressed(&session, 2);
     let least = rest
         .iter()
@@ -184,19 +157,9 @@ fn what_was_learnt_on_the_way_does_not_hold_a_wall_back() {
 /// 1/e² of the step too much after 4 A.
 #[test]
 fn a_step_of_the_force_is_not_overshot() {
-    let session = lattice(
-        DAMPED,
-        r#"
-            [[stage]]
-            name = "load"
-            do = ["wall left servo 3e4"]
-            max_cycles = 15_000
-            [[stage]]
-            name = "step"
-            do = ["wall left servo 3.3e4"]
-            max_cycles = 12_000
-            "#,
-    );
+    let load = stage("load", "wall left servo 3e4", 15_000);
+    let step = stage("step", "wall left servo 3.3e4", 12_000);
+    let session = lattice(DAMPED, &(load + &step));
     let step = 0.1 * FORCE;
     let (mut off, mut least): (f64, f64) = (0.0, 1.0);
     for (t, f) in pressed(&session, 1) {
