@@ -3,8 +3,9 @@
 //! Its velocity is in proportion to what is missing, and to its integral: a wall that has to keep moving,
 //! in a biaxial test for instance, would otherwise miss its force by that velocity times k T for ever.
 //! The proportional part is that of a dashpot, and both together still take energy from whatever swings
-//! against the wall, for any time constant of the integral: only the delay of the looks can make it
-//! unstable, which bounds T from below.
+//! against the wall, for any time constant of the integral. The delay of the looks gives back some of it
+//! at the highest frequencies: dashpots of half a per cent of critical take more, and an assembly without
+//! any swings up, which no T above the least one prevents.
 //!
 //! The integral takes what is missing beyond what the proportional part is on the way to make good: that
 //! dies out with the time constant of the force. A step of the goal is thus not overshot, as it would be
