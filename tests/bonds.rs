@@ -204,14 +204,13 @@ fn energy_is_found_again_with_what_broke() {
         run(&mut world, cycles);
         world.settle();
         let booked = world.bookings().expect("energies are booked");
-
         assert!((world.bonds() as f64) < 0.5 * before);
         assert!(booked.bond_loss > 1e-3 * kinetic && booked.friction_loss > 0.0);
         booked.energy_error.abs()
     });
-
+    // Contacts begin and bonds break within a step: at least of its first order.
     assert!(
-        errors[0] < 1e-3 && errors[1] < 0.5 * errors[0],
+        errors[0] < 1e-4 && errors[1] < 0.25 * errors[0],
         "{errors:?}"
     );
 }
@@ -321,7 +320,6 @@ fn a_beam_bends_as_its_springs_say() {
         };
         let off = free.iter().zip(solved.iter());
         let off = off.map(|(&n, &u)| (now(n) - u).abs()).fold(0.0, f64::max);
-
         off / bend
     });
     // What is not linear is a share of a few times the bend; rounding of places, R ε/bend.
