@@ -114,6 +114,13 @@ fn a_difference_that_is_explained_does_not_fail() {
         (expect("2", ""), 0, "6 PASS, 0 DIFFERS, 0 FAIL"),
         (expect("3", ""), 3, "5 PASS, 0 DIFFERS, 1 FAIL"),
         (expect("3", differs), 0, "5 PASS, 1 DIFFERS, 0 FAIL"),
+        // The book is right after all.
+        (expect("2", differs), 0, "6 PASS, 0 DIFFERS, 0 FAIL"),
+        (
+            expect("2", &differs.replace("ours = 2", "ours = 4")),
+            0,
+            "6 PASS, 0 DIFFERS, 0 FAIL",
+        ),
         (
             expect("3", &differs.replace("ours = 2", "ours = 4")),
             3,

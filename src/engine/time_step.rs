@@ -70,8 +70,8 @@ pub fn rayleigh_root(poisson: f64) -> f64 {
         let side = (2.0 - s) * (2.0 - s);
         side * side - 16.0 * (1.0 - s) * (1.0 - s * ratio)
     };
-    // The root lies between these for every ν from 0 to ½; α = 0 is a false one.
-    let (mut low, mut high) = (0.8f64, 0.96f64);
+    // The root lies between these, from .689 at ν = -1 to .955 at ½; α = 0 is a false one.
+    let (mut low, mut high) = (if poisson < 0.0 { 0.6f64 } else { 0.8 }, 0.96f64);
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
         if excess(middle) < 0.0 {
@@ -108,6 +108,14 @@ mod tests {
             rayleigh_root(0.25)
         );
         assert!((rayleigh_linear(0.25) - 0.917_38).abs() < 1e-5);
+        // At ν = -1 the square s of the root solves (2 - s)⁴ = 16 (1 - s)(1 - ¾ s).
+        for poisson in [-0.999, -0.9, -0.5, -0.1] {
+            let s = rayleigh_root(poisson).powi(2);
+            let ratio = (1.0 - 2.0 * poisson) / (2.0 * (1.0 - poisson));
+            let left = (2.0 - s).powi(4) / (16.0 * (1.0 - s) * (1.0 - s * ratio)) - 1.0;
+            assert!(left.abs() < 1e-13, "ν = {poisson}: {left}");
+        }
+        assert!((rayleigh_root(-0.999_999_999) - 0.688_892_182_7).abs() < 1e-10);
         for k in 0..=10 {
             let poisson = 0.05 * f64::from(k);
             let error = rayleigh_linear(poisson) / rayleigh_root(poisson) - 1.0;

@@ -51,8 +51,6 @@ pub struct World {
     pub(super) step_changes: StepChanges,
     pub(super) looks: Looks,
     pub(super) tol: f64,
-    /// Overlap above which a contact is damped critically [m].
-    pub(super) critical_above: f64,
     /// Size of the scene at the start, for finding lost particles [m].
     pub(super) size: f64,
     pub(super) next_id: u32,
@@ -140,7 +138,6 @@ impl World {
             step_changes: StepChanges::default(),
             looks: Looks::default(),
             tol: 1.0,
-            critical_above: f64::INFINITY,
             size: 0.0,
             place: PassPlace::default(),
             seen: Seen::default(),
@@ -221,7 +218,6 @@ impl World {
 
     /// Chooses the pass anew and prepares every contact; memory carries over in reduced form.
     pub(super) fn replan(&mut self) {
-        self.critical_above = self.critical_overlap();
         let mut pass = self.plan().pass();
         let old = vec![u32::MAX; self.contacts.len()];
         pass.relist(&old, self.contacts.pairs.len(), self.room(), &|k| {
@@ -268,7 +264,7 @@ impl World {
                 pair,
                 m_eff: if sum > 0.0 { 1.0 / sum } else { p.mass[i] },
                 r_eff: a * b / (a + b),
-                critical_above: self.critical_above,
+                critical_above: self.critical_above(a.min(b)),
                 nodes: usize::from(self.model.nodes),
             };
         }
@@ -280,17 +276,15 @@ impl World {
             pair,
             m_eff: p.mass[i],
             r_eff: p.row[i].radius,
-            critical_above: self.critical_above,
+            critical_above: self.critical_above(p.row[i].radius),
             nodes: usize::from(self.model.nodes),
         }
     }
 
-    /// Overlap above which a contact is damped critically [m].
-    fn critical_overlap(&self) -> f64 {
-        match self.model.damping.overlap_critical {
-            None => f64::INFINITY,
-            Some(share) => share * 2.0 * self.particles.smallest_radius(),
-        }
+    /// Overlap above which a contact is damped critically whose smaller body has this radius [m].
+    fn critical_above(&self, smaller: f64) -> f64 {
+        let share = self.model.damping.overlap_critical;
+        share.map_or(f64::INFINITY, |share| share * 2.0 * smaller)
     }
 
     /// Sets the time step and the answer to force that goes with it.

@@ -85,7 +85,7 @@ const KEYS: &[Key] = &[
         ..number(
             "overlap_critical",
             Absent::Said("never"),
-            "overlap over the smallest diameter above which a contact is damped critically; 0.07 in 1989",
+            "overlap over the smaller diameter above which a contact is damped critically; 0.07 in 1989",
         )
     },
     Key {

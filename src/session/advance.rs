@@ -8,9 +8,10 @@ use std::time::{Duration, Instant};
 
 use super::clock::Clock;
 use super::course::Phase;
-use super::figure::figure;
+use super::figure::{figure, per_cent};
 use super::{By, Refusal, Reply, Request, RunError, Session};
 use crate::language::Command;
+use crate::measure::overlap::large_overlaps;
 use crate::measure::sample::Sample;
 use crate::record::journal::{Event, EventKind};
 
@@ -241,6 +242,7 @@ impl Session {
             self.course.ended_at = self.world.cycle_number();
             if self.stage_cycle() > 0 {
                 self.judge_step();
+                self.judge_overlaps();
             }
             self.take_row()?;
             self.dump(true)?;
@@ -257,6 +259,22 @@ impl Session {
                  stable: what should rest may shake; reduce model.frac, or write frac = \"auto\"",
                 figure(frac),
                 figure(limit)
+            ));
+        }
+    }
+
+    /// At the end of a stage: says how many contacts are damped critically for their depth.
+    fn judge_overlaps(&mut self) {
+        let Some(share) = self.world.model().damping.overlap_critical else {
+            return;
+        };
+        let count = large_overlaps(&self.world);
+        if count > 0 {
+            let name = self.stage_name();
+            self.notices.push(format!(
+                "at the end of stage {name} {count} contacts overlap by more than {} of the smaller diameter and are \
+                 damped critically; the column overlap_warnings counts them",
+                per_cent(share)
             ));
         }
     }

@@ -6,7 +6,7 @@ use ballast::engine::setup::{Damping, Dashpot, TimeStepChoice};
 use ballast::measure::columns::Column;
 use ballast::measure::sample::Sample;
 
-use crate::common::{law, moving, world};
+use crate::common::{law, moving, particle, world};
 use crate::shots::Shot;
 
 /// Hertz: (5.9), (5.12) of Randall 1989 with the exact constant 2.9432.
@@ -118,6 +118,46 @@ fn large_overlaps_are_damped_critically_and_counted() {
     });
     counts.sort_by(f64::total_cmp);
     assert_eq!(counts, [0.0, 1.0]);
+}
+
+/// The threshold is a share of the smaller body of each contact: a speck that is nowhere near changes nothing, and
+/// beside a sphere of half the size it lies at half the depth (Randall 1989, 6.4.3).
+#[test]
+fn what_is_a_large_overlap_depends_on_the_two_that_touch() {
+    let rebound = |share: f64, partner: f64, speck: bool| {
+        let shot = Shot {
+            twin: true,
+            ..Shot::thesis(law("hertz"), 0.0)
+        };
+        let mut setup = shot.world().model().clone();
+        setup.damping.overlap_critical = Some(share);
+        let (r, v) = (shot.radius, shot.velocity[0]);
+        setup.particles = vec![
+            moving(-r, 0.0, r, [v, 0.0], 0.0),
+            moving(partner * r, 0.0, partner * r, [-v, 0.0], 0.0),
+        ];
+        if speck {
+            setup.particles.push(particle(0.0, 30.0 * r, 0.01 * r));
+        }
+        let mut world = world(setup);
+        let mut deepest = 0f64;
+        for _ in 0..2000 {
+            world.cycle().expect("no fault");
+            deepest = deepest.max(world.geometry(0).overlap);
+        }
+        let apart = world.velocity(1).0[0] - world.velocity(0).0[0];
+        (apart / (2.0 * v), deepest / (2.0 * r * partner.min(1.0)))
+    };
+    for partner in [1.0, 0.5] {
+        let (elastic, depth) = rebound(1.0, partner, false);
+        assert!((elastic - 1.0).abs() < 1e-5, "{elastic}");
+        for speck in [false, true] {
+            let above = rebound(1.01 * depth, partner, speck).0;
+            assert!((above - 1.0).abs() < 1e-5, "{partner} {speck}: {above}");
+            let below = rebound(0.9 * depth, partner, speck).0;
+            assert!(below < 0.95, "{partner} {speck}: {below}");
+        }
+    }
 }
 
 /// Rebound over approach speed of two spheres whose radii are 1 : `ratio`, less what was asked for.

@@ -60,13 +60,18 @@ pub(super) const ROWS: &[Row<Read>] = &[
         "boundary_particles",
         "-",
         "particles of the boundary ring",
-        |s| s.world().boundary().and_then(Boundary::ring).map_or(0, |ring| ring.members.len()) as f64,
+        |s| {
+            s.world()
+                .boundary()
+                .and_then(Boundary::ring)
+                .map_or(0, |ring| ring.members.len()) as f64
+        },
     )
     .counted(),
     world(
         "overlap_warnings",
         "-",
-        "contacts with an overlap above damping.overlap_critical, or 0.07, of the smallest diameter",
+        "contacts with an overlap above damping.overlap_critical, or 0.07, of the smaller diameter",
         |s| large_overlaps(s.world()) as f64,
     )
     .counted(),

@@ -12,8 +12,7 @@ use crate::measure::contact_area::{ContactArea, obliquity};
 use crate::measure::overlap::LARGE_OVERLAP;
 use crate::measure::tensor::half_turn;
 
-/// Overlap over the smaller of the two diameters beyond which a contact is marked. What the column
-/// `overlap_warnings` counts is compared with the smallest diameter of all.
+/// Overlap over the smaller of the two diameters beyond which a contact is marked.
 pub(in crate::session) const DEEP: f64 = LARGE_OVERLAP;
 
 /// A touching contact in numbers.

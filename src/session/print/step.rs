@@ -98,6 +98,6 @@ fn limit(world: &World) -> String {
             "{} by the stiffness bound, set by ball {id}",
             figure(step / world.base_step())
         ),
-        _ => "none: nothing touches".into(),
+        _ => "none: nothing that moves freely touches".into(),
     }
 }
