@@ -23,3 +23,5 @@ mod misprints;
 mod spheres;
 #[path = "two_reversals/summed_hertz.rs"]
 mod summed_hertz;
+#[path = "two_reversals/turned.rs"]
+mod turned;

@@ -2,7 +2,10 @@
 
 use ballast::engine::contact::Normal;
 use ballast::engine::contact::incremental_hertz::{IncrementalHertz, SummedHertz};
+use ballast::engine::neighbours::Status;
+use ballast::engine::setup::{Body, Material, NormalForm, TimeStepChoice, Unloading};
 
+use crate::common::{law, material, moving, particle, run, scene, world};
 use crate::impact::{Form, Impact};
 use crate::spheres::pair;
 
@@ -36,5 +39,48 @@ fn force_drifts_over_cycles_of_overlap() {
         }
         let got = law.held(0.0, &memory) / 88.0 - 1.0;
         assert!((got / drift - 1.0).abs() < 0.05, "{got:e}");
+    }
+}
+
+/// The sum is used up while the spheres still overlap: the shear and rolling springs beside it then let go of
+/// what they hold, and all of it is booked.
+#[test]
+fn springs_beside_a_used_up_sum_are_booked() {
+    for unloading in [Unloading::Rescale, Unloading::Keep] {
+        let mut setup = scene(Material {
+            young: Some(7e7),
+            rolling_friction: 0.1,
+            ..material(1.0, 1.0, 0.5)
+        });
+        setup.body = Body::Sphere;
+        setup.law = law("hertz-mindlin");
+        setup.normal = NormalForm::Incremental;
+        setup.unloading = unloading;
+        setup.time_step = TimeStepChoice::Rayleigh;
+        setup.particles = vec![
+            moving(0.0, 0.0, 0.01, [3.0, 2.0], 0.0),
+            particle(0.0205, 0.0, 0.01),
+        ];
+        let mut world = world(setup);
+        let mut used_up = 0;
+        for _ in 0..300 {
+            run(&mut world, 1);
+            let touches = world
+                .contacts()
+                .status
+                .first()
+                .is_some_and(|s| *s != Status::Apart);
+            used_up += u32::from(
+                touches && world.geometry(0).overlap > 0.0 && world.reaction(0).normal == 0.0,
+            );
+            let (books, losses) = (world.energies(), world.bookings().expect("kept"));
+            let sums = [
+                books.elastic_tangential,
+                losses.friction_loss,
+                losses.slip_loss,
+            ];
+            assert!(sums.iter().all(|sum| sum.is_finite()), "{sums:?}");
+        }
+        assert!(used_up > 0);
     }
 }

@@ -23,24 +23,27 @@ pub(super) struct Kept<V: Lanes> {
     pub(super) sliding: V::Mask,
 }
 
-/// Moves a spring that held `old` at stiffness `before` by `d` to the stiffness `k` > 0; `rescale`
-/// whether the force falls with k.
+/// Moves a spring that held `old` at stiffness `before` by `d` to the stiffness `k`; `rescale` whether
+/// the force falls with k. With k = 0, where a summed normal force is used up while the bodies still
+/// overlap, it lets go of all.
 #[inline(always)]
 pub(super) fn follow<V: Lanes>(old: V, before: V, k: V, rescale: bool, d: V, limit: V) -> Kept<V> {
     let (zero, half) = (V::all(0.0), V::all(0.5));
+    let firm = k.above(zero);
     let start = if rescale {
         V::pick(before.above(k), old * (k / before), old)
     } else {
-        old
+        V::pick(firm, old, zero)
     };
     let trial = start + k * d;
     let (force, sliding) = clipped(trial, limit);
     let gross = half * (start + force) * ((trial - force) / k);
-    let slip = half * (old - start) * d + half * (old * old / before - start * start / k);
+    let held = V::pick(firm, start * start / k, zero);
+    let slip = half * (old - start) * d + half * (old * old / before - held);
     Kept {
         force,
         loss: [
-            V::pick(sliding, gross, zero),
+            V::pick(sliding & firm, gross, zero),
             V::pick(old.equals(zero), zero, slip),
         ],
         sliding,
@@ -87,6 +90,9 @@ mod tests {
             (3.0, 2.0, 5.0, 0.4, 4.0),
             (-3.0, 5.0, 2.0, -0.8, 2.0),
             (3.0, 5.0, 2.0, 0.0, 0.5),
+            (3.0, 5.0, 0.0, 0.2, 1.0),
+            (3.0, 5.0, 0.0, -0.2, 0.0),
+            (0.0, 0.0, 0.0, 0.3, 0.0),
         ];
         for (old, before, k, d, limit) in cases {
             for rescale in [false, true] {

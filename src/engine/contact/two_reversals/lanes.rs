@@ -8,7 +8,7 @@
 use super::super::slipped::Slipped;
 use super::curves::lost;
 use super::held::{self, Columns, ReversalLanes};
-use super::{Size, TwoReversals};
+use super::{NOTHING, Size, TwoReversals};
 use crate::engine::lanes::{Lanes, cube_root};
 
 /// What a step answers: forces [N], losses [J], and whether the whole contact slid.
@@ -204,8 +204,11 @@ impl<V: Lanes> TwoReversals<V> {
         let mut alone = !(overlap.above(zero) & self.friction.above(zero));
         let (before, size) = (self.size(memory.overlap), self.size(overlap));
         memory.overlap = overlap;
-        let blank = memory.force.equals(zero) & memory.is_virgin();
+        let nothing = V::all(NOTHING) * before.limit;
+        let blank = nothing.at_least(memory.force.abs()) & memory.is_virgin();
         memory.shortfall = V::pick(blank, zero, memory.shortfall);
+        let back = blank & zero.above(memory.force * d);
+        memory.force = V::pick(back, zero, memory.force);
         let direction = memory.direction(d);
         let turns = zero.above(direction * memory.sense() * d);
         memory.turn(turns, direction);

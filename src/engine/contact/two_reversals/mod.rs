@@ -33,7 +33,7 @@
 //! `tests/two_reversals/histories.rs`), for nested loops (.03 to .07 μN), and most of all for a
 //! reversal while N falls faster (.8 μN), where it can be driven round a cycle that gives energy
 //! ([`WORST_GAIN`]). Two hard edges are BALL's too: pure normal loading leaves no DD only while T is
-//! exactly zero, and a stuck contact moves at full slope while N rises but on its curve while N
+//! none ([`NOTHING`]), and a stuck contact moves at full slope while N rises but on its curve while N
 //! falls, however little.
 
 mod curves;
@@ -58,6 +58,10 @@ pub use lanes::SlippedLanes;
 /// search over cycles of three or four corners whose overlap varies up to tenfold. No error of the
 /// step, but a property of the law; with more corners a turn gives more.
 pub const WORST_GAIN: f64 = 0.44;
+
+/// Share of μN up to which T is none: what rounding leaves of a displacement that is along the normal.
+/// Far below any force that was meant, and far above 1e-12, seen after thousands of cycles.
+const NOTHING: f64 = 1e-9;
 
 /// The curve that the force is on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -249,9 +253,12 @@ impl TwoReversals {
         }
         let (before, size) = (self.size(memory.overlap), self.size(overlap));
         memory.overlap = overlap;
-        if memory.force == 0.0 && memory.branch == Branch::Virgin {
-            // Pure normal loading leaves nothing to catch up with.
+        if memory.branch == Branch::Virgin && memory.force.abs() <= NOTHING * before.limit {
+            // Pure normal loading leaves nothing to catch up with and nothing to turn back from.
             memory.shortfall = 0.0;
+            if memory.force * d < 0.0 {
+                memory.force = 0.0;
+            }
         }
         let direction = memory.direction(d);
         if direction * memory.sense() * d < 0.0 {
