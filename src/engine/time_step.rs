@@ -110,9 +110,10 @@ mod tests {
         assert!((rayleigh_linear(0.25) - 0.917_38).abs() < 1e-5);
         // At ν = -1 the square s of the root solves (2 - s)⁴ = 16 (1 - s)(1 - ¾ s).
         for poisson in [-0.999, -0.9, -0.5, -0.1] {
-            let s = rayleigh_root(poisson).powi(2);
+            let s = rayleigh_root(poisson) * rayleigh_root(poisson);
             let ratio = (1.0 - 2.0 * poisson) / (2.0 * (1.0 - poisson));
-            let left = (2.0 - s).powi(4) / (16.0 * (1.0 - s) * (1.0 - s * ratio)) - 1.0;
+            let side = (2.0 - s) * (2.0 - s);
+            let left = side * side / (16.0 * (1.0 - s) * (1.0 - s * ratio)) - 1.0;
             assert!(left.abs() < 1e-13, "ν = {poisson}: {left}");
         }
         assert!((rayleigh_root(-0.999_999_999) - 0.688_892_182_7).abs() < 1e-10);

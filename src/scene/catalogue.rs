@@ -30,6 +30,18 @@ pub const PRESETS: &[Preset] = &[
         include_str!("../../presets/nine-disc-distortion.toml"),
     ),
     preset(
+        "photoelastic",
+        include_str!("../../presets/photoelastic.toml"),
+    ),
+    preset(
+        "photoelastic-softer",
+        include_str!("../../presets/photoelastic-softer.toml"),
+    ),
+    preset(
+        "photoelastic-smoother",
+        include_str!("../../presets/photoelastic-smoother.toml"),
+    ),
+    preset(
         "rolling-disc",
         include_str!("../../presets/rolling-disc.toml"),
     ),
@@ -57,6 +69,15 @@ pub const PRESETS: &[Preset] = &[
         "newtons-cradle",
         include_str!("../../presets/newtons-cradle.toml"),
     ),
+    preset(
+        "column-impact",
+        include_str!("../../presets/column-impact.toml"),
+    ),
+    preset(
+        "pluvial-bed",
+        include_str!("../../presets/pluvial-bed.toml"),
+    ),
+    preset("bed-impact", include_str!("../../presets/bed-impact.toml")),
     preset(
         "restitution-phases",
         include_str!("../../presets/restitution-phases.toml"),
@@ -91,6 +112,10 @@ pub const PRESETS: &[Preset] = &[
         include_str!("../../presets/centripetal.toml"),
     ),
     preset(
+        "old-generator",
+        include_str!("../../presets/old-generator.toml"),
+    ),
+    preset(
         "constant-mean-stress",
         include_str!("../../presets/constant-mean-stress.toml"),
     ),
@@ -117,6 +142,44 @@ pub const PRESETS: &[Preset] = &[
     ),
     preset("shear-cell", include_str!("../../presets/shear-cell.toml")),
     preset("hopper-30", include_str!("../../presets/hopper-30.toml")),
+    preset("hopper-15", include_str!("../../presets/hopper-15.toml")),
+    preset(
+        "hopper-30-5mm",
+        include_str!("../../presets/hopper-30-5mm.toml"),
+    ),
+    preset("hopper-45", include_str!("../../presets/hopper-45.toml")),
+    preset(
+        "hopper-30-10mm",
+        include_str!("../../presets/hopper-30-10mm.toml"),
+    ),
+    preset(
+        "hopper-30-14mm",
+        include_str!("../../presets/hopper-30-14mm.toml"),
+    ),
+    preset(
+        "pluvial-500",
+        include_str!("../../presets/pluvial-500.toml"),
+    ),
+    preset(
+        "janssen-silo",
+        include_str!("../../presets/janssen-silo.toml"),
+    ),
+    preset("sandpile", include_str!("../../presets/sandpile.toml")),
+    preset(
+        "column-collapse",
+        include_str!("../../presets/column-collapse.toml"),
+    ),
+    preset(
+        "rotating-drum",
+        include_str!("../../presets/rotating-drum.toml"),
+    ),
+    preset("chute", include_str!("../../presets/chute.toml")),
+    preset("couette", include_str!("../../presets/couette.toml")),
+    preset(
+        "granular-gas",
+        include_str!("../../presets/granular-gas.toml"),
+    ),
+    preset("brazilian", include_str!("../../presets/brazilian.toml")),
     preset(
         "pluvial-million",
         include_str!("../../presets/pluvial-million.toml"),

@@ -97,6 +97,25 @@ fn the_old_generator_stops_looser() {
     );
 }
 
+/// Before the thesis nothing smaller was tried once a size no longer fitted.
+#[test]
+fn full_may_be_the_end() {
+    let sizes = "[{ radius = 0.06, count = 1000 }, { radius = 0.01, count = 300 }]";
+    let placed = |more: &str| {
+        let radii = scene(&square(sizes, more)).setup.particles;
+        let large = radii.iter().filter(|p| p.radius == 0.06).count();
+        (large, radii.len() - large)
+    };
+    let next = placed("");
+    assert_eq!(next, placed("when_full = \"next\""));
+    assert!(next.0 > 20 && next.0 < 1000 && next.1 > 100, "{next:?}");
+    assert_eq!(placed("when_full = \"stop\""), (next.0, 0));
+    // Where all fit there is nothing to stop for.
+    let few = "[{ radius = 0.06, count = 3 }, { radius = 0.01, count = 5 }]";
+    let all = scene(&square(few, "when_full = \"stop\"")).setup.particles;
+    assert_eq!(all.len(), 8);
+}
+
 #[test]
 fn columns_and_commands_may_name_generated_particles() {
     let tables = square("[{ radius = 0.02, count = 20 }]", "")

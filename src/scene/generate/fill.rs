@@ -24,6 +24,8 @@ pub(super) struct Task<'a> {
     /// Attempts in a row, uniform over the region, after which a size no longer fits; `None`: when
     /// there is certainly no room.
     pub(super) tries: Option<u64>,
+    /// Whether all ends where a size no longer fits, as before the thesis, or goes on with the next smaller.
+    pub(super) stops: bool,
 }
 
 /// How many of a size.
@@ -50,6 +52,9 @@ pub(super) fn fill(task: &Task<'_>, chance: &mut Chance) -> (Vec<Disc>, Vec<usiz
         filler.boxes.wake(k);
         while counts[k] < size.count {
             let Some(disc) = filler.place(size.radius, chance) else {
+                if task.stops {
+                    return (placed, counts);
+                }
                 break;
             };
             placed.push(disc);

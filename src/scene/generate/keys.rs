@@ -107,6 +107,15 @@ pub(super) const KEYS: &[Key] = &[
         "failures in a row, anywhere in the region, after which a size no longer fits",
     ),
     Key {
+        absent: Absent::Word("next"),
+        ..key(
+            "when_full",
+            Form::Word(&["next", "stop"]),
+            "-",
+            "what follows when a size no longer fits: the next smaller one, or nothing, as before 1989",
+        )
+    },
+    Key {
         absent: Absent::Flag(false),
         ..key(
             "exact",

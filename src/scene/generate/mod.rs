@@ -62,7 +62,7 @@ const SOURCES: [&str; 5] = [
 ];
 
 /// Keys that mean something with some of the sources only.
-const MEANING: [(&str, &[&str]); 8] = [
+const MEANING: [(&str, &[&str]); 9] = [
     (
         "in",
         &["grading", "grading_file", "distribution", "lattice"],
@@ -76,6 +76,7 @@ const MEANING: [(&str, &[&str]); 8] = [
         &["grading", "grading_file", "distribution", "lattice"],
     ),
     ("tries", &["grading", "grading_file", "distribution"]),
+    ("when_full", &["grading", "grading_file", "distribution"]),
     ("exact", &["grading", "grading_file", "distribution"]),
     ("radius", &["lattice"]),
     ("spacing", &["lattice"]),
@@ -235,6 +236,7 @@ fn at_random<'a>(
         }),
     };
     let (tries, exact) = (reader.count("tries"), reader.flag("exact"));
+    let stops = reader.word("when_full") == Some("stop");
     let (wanted, place) = (wanted?, place?);
     check_reach(reader, &place.region, wanted.smallest());
     // What is wrong elsewhere decides where there is room; columns may still name every particle.
@@ -256,6 +258,7 @@ fn at_random<'a>(
         gap: place.gap,
         periodic: place.periodic,
         tries,
+        stops,
     };
     let (discs, placed) = fill::fill(&task, &mut Chance::new(draft.seed, number));
     let generated = Generated::new(&reader.title, draft, place.region.area(), &wanted, &placed);

@@ -35,6 +35,7 @@ pub fn places(wanted: &Generate, around: &Around, seed: u64, moment: (u64, u32))
         gap: 0.0,
         periodic: false,
         tries: None,
+        stops: false,
     };
     let (discs, _) = fill(&task, &mut Chance::of_moment(seed, moment));
     discs.iter().map(|disc| disc.at).collect()
