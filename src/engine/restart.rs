@@ -118,10 +118,8 @@ impl World {
         self.bonds_made = self.bonds();
         self.next_id = self.particles.id.last().map_or(1, |id| id + 1);
         self.adopt(setup);
-        if setup.ledger {
-            self.ledger = Some(Ledger::default());
-            self.open_ledger();
-        }
+        self.ledger = setup.ledger.then(Ledger::default);
+        self.open_ledger();
         Some(self)
     }
 

@@ -45,6 +45,8 @@ pub struct World {
     pub(super) continuum: Option<Straining>,
     pub(super) contacts: ContactList,
     pub(super) ledger: Option<Ledger>,
+    /// Potential of gravity at the start [J].
+    pub(super) datum: f64,
     /// Whether `particles.force` holds the sums of this boundary.
     pub(super) settled: bool,
     pub(super) fracc: FraccMonitor,
@@ -133,6 +135,7 @@ impl World {
             continuum: None,
             contacts: ContactList::default(),
             ledger: setup.ledger.then(Ledger::default),
+            datum: 0.0,
             settled: false,
             fracc: FraccMonitor::default(),
             step_changes: StepChanges::default(),

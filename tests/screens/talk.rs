@@ -208,3 +208,22 @@ fn another_run_keeps_its_files_elsewhere() {
     };
     assert!(text.ends_with("is kept in /home/someone/.local/state/ballast/runs/0001"));
 }
+
+/// What is pasted is executed line by line, as if typed; a line without an end waits.
+#[test]
+fn pasted_lines_stay_apart() {
+    for ends in ["\r", "\n", "\r\n"] {
+        let mut app = app(LOOK);
+        let text = ["print energy", "", "print step", "cyc"].join(ends);
+        let orders = app.paste(&text);
+        let lines: Vec<&str> = orders
+            .iter()
+            .map(|effect| match effect {
+                Effect::Order(Order::Line(line)) => line.as_str(),
+                _ => "no line",
+            })
+            .collect();
+        assert_eq!(lines, ["print energy", "print step"]);
+        assert_eq!(app.prompt.text(), "cyc");
+    }
+}

@@ -34,8 +34,6 @@ pub struct Ledger {
     closed: Account,
     /// Energy stored at the start.
     opening: f64,
-    /// Potential of gravity at the start.
-    datum: f64,
 }
 
 /// What is booked per particle [J]; contact losses go to the lower number.
@@ -126,8 +124,7 @@ impl World {
                 sum.elastic_tangential += tangential;
             }
         }
-        let datum = self.ledger.as_ref().map_or(0.0, |ledger| ledger.datum);
-        sum.potential = self.potential() - datum;
+        sum.potential = self.potential() - self.datum;
         sum
     }
 
@@ -168,17 +165,14 @@ impl World {
         })
     }
 
-    /// Starts the ledger at the present state.
+    /// Starts the ledger, and the potential, at the present state.
     pub(in crate::engine) fn open_ledger(&mut self) {
+        self.datum = self.potential();
         if self.ledger.is_none() {
             return;
         }
         self.settle();
         self.fit_ledger();
-        let datum = self.potential();
-        if let Some(ledger) = &mut self.ledger {
-            ledger.datum = datum;
-        }
         let opening = self.stored();
         if let Some(ledger) = &mut self.ledger {
             ledger.opening = opening;

@@ -7,6 +7,7 @@
 
 use std::ops::{Range, RangeInclusive};
 
+use super::crop;
 use super::halos::Halos;
 use super::level::{BOXES_PER_PARTICLE, Level};
 use super::members::Members;
@@ -104,10 +105,12 @@ impl Grid {
     fn lay(&mut self, spots: &[Spot], tol: f64, bounds: &Bounds) {
         let count = spots.len();
         let [least, most] = bounds.radii.map(|radius| 2.0 * radius + tol);
-        let span = bounds.extent.size();
-        (self.low, self.tol, self.least) = (bounds.extent.low, tol, least);
+        let mean_square = bounds.mean_square_of_reach(count, tol);
+        let (extent, open) = crop::crowded(spots, bounds.extent, mean_square);
+        let span = extent.size();
+        (self.low, self.tol, self.least) = (extent.low, tol, least);
         self.levels.clear();
-        let alike = most * most <= ALIKE * bounds.mean_square_of_reach(count, tol);
+        let alike = most * most <= ALIKE * mean_square;
         // How many there are of each size, and the largest radius among them.
         let mut sizes = [(0, 0.0f64); SIZES];
         if alike {
@@ -121,7 +124,7 @@ impl Grid {
         }
         let mut first = 0;
         for (size, &(count, largest)) in sizes.iter().enumerate().filter(|(_, size)| size.0 > 0) {
-            let level = Level::new(first, span, count, largest, tol);
+            let level = Level::new(first, (span, open), count, [largest, tol]);
             first = level.end();
             self.level[size] = self.levels.len() as u8;
             self.levels.push(level);

@@ -17,6 +17,8 @@ pub(super) struct Level {
     pub(super) rows: usize,
     /// Largest radius on it [m].
     pub(super) largest: f64,
+    /// Whether some lie outside, and count as in the nearest box.
+    open: bool,
 }
 
 /// At most so many boxes per particle: far-flung assemblies get larger boxes.
@@ -30,9 +32,14 @@ const NARROW: [usize; 2] = [4, 2];
 const SPARE: f64 = 1e-6;
 
 impl Level {
-    /// Boxes over a rectangle of this span [m] for so many particles of up to this radius [m] that
-    /// are neighbours within `tol` [m].
-    pub(super) fn new(first: usize, span: [f64; 2], count: usize, largest: f64, tol: f64) -> Self {
+    /// Boxes over a rectangle of this span [m], of which some are outside if it is `open`, for so many
+    /// particles of up to this radius [m] that are neighbours within `tol` [m].
+    pub(super) fn new(
+        first: usize,
+        (span, open): ([f64; 2], bool),
+        count: usize,
+        [largest, tol]: [f64; 2],
+    ) -> Self {
         let least = (2.0 * largest + tol) * (1.0 + SPARE);
         let limit = Self::limit(count) as f64;
         let too_many = |size: f64, aside: usize| {
@@ -54,6 +61,7 @@ impl Level {
             columns: (span[0] * per_metre[0]) as usize + 1,
             rows: (span[1] * per_metre[1]) as usize + 1,
             largest,
+            open,
         }
     }
 
@@ -122,7 +130,13 @@ impl Level {
         for row in first..=last {
             // Where the line passes within the margin of this row.
             let band = [row, row + 1].map(|row| low[1] + row as f64 * self.size);
-            let band = [band[0] - margin, band[1] + margin];
+            let mut band = [band[0] - margin, band[1] + margin];
+            if self.open && row == 0 {
+                band[0] = f64::NEG_INFINITY;
+            }
+            if self.open && row == self.rows - 1 {
+                band[1] = f64::INFINITY;
+            }
             let mut within = [from, to];
             if direction[1] == 0.0 {
                 if point[1] < band[0] || point[1] > band[1] {
@@ -136,8 +150,8 @@ impl Level {
                 }
             }
             let [left, right] = span(within, 0);
-            if right < low[0] || left > low[0] + self.columns as f64 * self.size / self.aside as f64
-            {
+            let end = low[0] + self.columns as f64 * self.size / self.aside as f64;
+            if !self.open && (right < low[0] || left > end) {
                 continue;
             }
             let [left, right] = [left, right].map(|x| self.place(low, [x, low[1]])[0]);

@@ -5,6 +5,7 @@
 
 pub(super) mod blocks;
 pub(super) mod carry;
+mod crop;
 mod found;
 mod grid;
 mod halos;

@@ -32,7 +32,7 @@ use super::error::{Attempt, RecordError};
 use super::whole_file;
 
 /// The format this program writes and reads.
-pub const FORMAT: u32 = 11;
+pub const FORMAT: u32 = 12;
 
 const MAGIC: &[u8; 8] = b"BALLAST\n";
 const HEADER: usize = 24;
