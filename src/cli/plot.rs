@@ -5,7 +5,7 @@ use std::path::Path;
 use super::output::{complain, print, tell};
 use super::run::same;
 use super::{BAD_INPUT, FAILED, Plot};
-use crate::language::command::PictureOf;
+use crate::language::command::{Layers, PictureOf};
 use crate::record::checkpoint;
 use crate::record::whole_file;
 use crate::session::{Refusal, RunError, Session};
@@ -89,7 +89,7 @@ fn picture(options: &Plot, path: &Path) -> Result<String, Refusal> {
     }
     let word = options.picture.as_deref().unwrap_or("assembly");
     let of = PictureOf::ALL.iter().find(|(known, _)| *known == word);
-    let of = of.map_or(PictureOf::Assembly, |(_, of)| *of);
+    let of = of.map_or(PictureOf::Assembly(Layers::NONE), |(_, of)| *of);
     let failed = |error: RunError| {
         let said = error.to_string();
         let (message, remedy) = said

@@ -16,7 +16,7 @@ pub use super::verbs::bond::Bond;
 pub use super::verbs::create::Create;
 pub use super::verbs::damp::Damper;
 pub use super::verbs::delete::ParticleRange;
-pub use super::verbs::export::{ContactFile, DumpOf, Export, PictureOf};
+pub use super::verbs::export::{ContactFile, DumpOf, Export, Layers, PictureOf};
 pub use super::verbs::friction::FrictionOf;
 pub use super::verbs::generate::{Generate, GeneratePlace, MOST_GENERATED};
 pub use super::verbs::grow::Grow;

@@ -2,7 +2,7 @@
 
 use super::command::{
     Command, Continuum, Create, Export, FrictionOf, Generate, Goal, HistoryChange, MOST_GENERATED,
-    Printout, WallChange,
+    PictureOf, Printout, WallChange,
 };
 use super::definition::Definitions;
 use super::mistake::{Mistake, shown};
@@ -65,7 +65,9 @@ impl Known {
                 )),
                 _ => Ok(()),
             },
-            Command::Particle(id, _) | Command::Print(Printout::Polygon(id)) => {
+            Command::Particle(id, _)
+            | Command::Print(Printout::Polygon(id))
+            | Command::Export(Export::Picture(PictureOf::Polygon(id)), _) => {
                 self.particle(*id, line)
             }
             Command::Property(material, ..) => self.material(Some(material), line),

@@ -51,8 +51,7 @@ impl Prompt {
 
     /// Adds pasted text.
     pub fn paste(&mut self, text: &str) {
-        let line = text.lines().next().unwrap_or_default();
-        for c in line.chars().filter(|c| !c.is_control()) {
+        for c in text.chars().filter(|c| !c.is_control()) {
             self.input.handle(InputRequest::InsertChar(c));
         }
     }
@@ -105,7 +104,8 @@ impl Prompt {
         Typed::Editing
     }
 
-    fn enter(&mut self) -> Typed {
+    /// What Enter does.
+    pub(super) fn enter(&mut self) -> Typed {
         let line = self.text().trim().to_owned();
         self.input = Input::default();
         self.recalled = None;

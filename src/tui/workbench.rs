@@ -228,22 +228,23 @@ impl Workbench {
                 Ok(false) => return None,
                 Err(error) => return Some(End::Terminal(error)),
             }
-            let effect = match event::read() {
-                Ok(Event::Key(key)) if key.kind != KeyEventKind::Release => self.app.key(key),
-                Ok(Event::Paste(text)) => {
-                    self.app.paste(&text);
-                    Effect::None
+            let effects = match event::read() {
+                Ok(Event::Key(key)) if key.kind != KeyEventKind::Release => {
+                    vec![self.app.key(key)]
                 }
+                Ok(Event::Paste(text)) => self.app.paste(&text),
                 Ok(Event::Resize(..)) => {
                     self.app.dirty = true;
-                    Effect::None
+                    Vec::new()
                 }
-                Ok(_) => Effect::None,
+                Ok(_) => Vec::new(),
                 Err(error) => return Some(End::Terminal(error)),
             };
             self.urgent = true;
-            if let Some(end) = self.effect(effect) {
-                return Some(end);
+            for effect in effects {
+                if let Some(end) = self.effect(effect) {
+                    return Some(end);
+                }
             }
         }
     }

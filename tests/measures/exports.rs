@@ -6,6 +6,7 @@ use std::fs;
 use std::path::Path;
 
 use ballast::measure::frame::Picture;
+use ballast::measure::polygon::ForcePolygon;
 use ballast::measure::sample::Sample;
 use ballast::scene::Scene;
 use ballast::session::{Budget, Options, Session};
@@ -294,6 +295,52 @@ fn the_assembly_is_drawn_as_it_is() {
         let off = (d[0] * force[1] + d[1] * force[0]) / touch.force();
         assert!(off.abs() < 0.03, "{off}");
     }
+}
+
+/// The number and a velocity of each particle, laid over.
+#[test]
+fn numbers_and_velocities_are_laid_over() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("a.svg");
+    let mut session = pile(&[]);
+    advance(&mut session, 2000);
+    let mut drawn = |layers: &str| {
+        let line = format!("export svg assembly {}{layers}", file.display());
+        tell(&mut session, &line);
+        fs::read_to_string(&file).unwrap()
+    };
+    let (bare, laid) = (drawn(""), drawn(" velocities numbers"));
+    let counts = |svg: &str| ["<text", "<path d=\"M"].map(|what| svg.matches(what).count());
+    assert_eq!(counts(&bare), [1, 0]);
+    // One more path is the head of all arrows.
+    assert_eq!(counts(&laid), [1 + 105, 1 + 105]);
+    assert!(laid.contains(">105</text>") && laid.contains("longest arrow"));
+    assert!(!bare.contains("longest arrow"));
+    let refusal = session.type_line("export svg assembly a.svg colours");
+    assert!(refusal.unwrap_err().to_string().contains("numbers"));
+}
+
+/// A side for each contact, head to tail, and the last for the weight: it closes up to the residual.
+#[test]
+fn force_polygons_are_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("p.svg");
+    let mut session = pile(&[]);
+    advance(&mut session, 9000);
+    let line = format!("export svg polygon 7 {}", file.display());
+    tell(&mut session, &line);
+    let svg = fs::read_to_string(&file).unwrap();
+    let sample = Sample::of(session.world_mut());
+    let world = sample.world();
+    let p = world.particles().index(7).unwrap();
+    let polygon = ForcePolygon::of(world, p);
+    assert!(polygon.sides.len() > 1);
+    for side in &polygon.sides {
+        assert!(svg.contains(&format!("\n{}\n", side.by)), "{}", side.by);
+    }
+    assert!(svg.contains("\nweight, applied\n") && svg.contains("out of balance"));
+    let refusal = session.type_line("export svg polygon 7000 p.svg");
+    assert!(refusal.unwrap_err().to_string().contains("7000"));
 }
 
 #[test]

@@ -5,6 +5,7 @@ use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use ballast::language::Observable;
 use ballast::measure::columns::Column;
 use ballast::measure::frame::Picture;
+use ballast::measure::polygon::{ForcePolygon, Side};
 use ballast::measure::survey::Part;
 use ballast::session::frames::Frame;
 use ballast::tui::app::{App, Overlay, Said};
@@ -135,6 +136,36 @@ fn a_recorded_stress_path() {
         path.take_frame(Box::new(recorded.clone()));
         path.zoomed = Some(PaneId::StressPath);
         compare("stress_path_recorded", path, size);
+    }
+}
+
+#[test]
+fn a_force_polygon() {
+    let side = |by: &str, direction: f64, force| Side {
+        by: by.into(),
+        direction,
+        force,
+    };
+    let polygon = ForcePolygon {
+        particle: 2,
+        sides: vec![
+            side("5", 31.0, [-6.1, -3.4]),
+            side("3", 118.0, [2.2, -5.0]),
+            side("floor", 270.0, [0.3, 8.6]),
+            side("left", 180.0, [3.5, 0.6]),
+        ],
+        body: [0.0, -1.0],
+    };
+    for size in SIZES {
+        let mut app = empty(LOOK);
+        app.take_frame(Box::new(Frame {
+            polygon: Some(polygon.clone()),
+            ..frame()
+        }));
+        (app.zoomed, app.selected) = (Some(PaneId::ForcePolygon), Some(2));
+        drawn(&mut app, size.0, size.1);
+        assert_eq!(app.wants().polygon, Some(2));
+        compare("force_polygon_selected", app, size);
     }
 }
 

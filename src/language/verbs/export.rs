@@ -13,7 +13,8 @@ pub const CARD: Card = Card {
     aliases: &[],
     usage: "export csv FILE | particles FILE | contacts FILE | profile FILE [REGION] [RINGS] | \
             path FILE | traction FILE | vtk particles|contacts FILE | \
-            svg contact|assembly|path|mohr|histogram|rose FILE | lammps FOLDER [nearest]",
+            svg assembly FILE [numbers] [velocities] | svg polygon I FILE | \
+            svg contact|path|mohr|histogram|rose FILE | lammps FOLDER [nearest]",
     summary: "writes the history recorded so far, a table or a picture of what there is now, the contact \
               that is followed, or a deck for LAMMPS",
     detail: "All but vtk, svg and lammps are CSV: one header row, then a row for each sample, particle, \
@@ -21,8 +22,10 @@ pub const CARD: Card = Card {
              displacement and forces, traction the tangential traction over the radius now, svg \
              contact a picture of both. vtk is legacy VTK for ParaView: particles as points with \
              radius, velocity, spin, force, contacts ..., contacts as lines with n, t, overlap ... \
-             The other pictures are the assembly with its forces, the stress path of the history, \
-             circles of Mohr, histograms and roses of the contacts of the default region. lammps writes a \
+             The other pictures are the assembly with its forces, and if asked for the numbers of its \
+             particles and arrows along their velocities; the forces on particle I, head to tail; the \
+             stress path of the history; circles of Mohr, histograms and roses of the contacts of the \
+             default region. lammps writes a \
              folder with the state now as a deck that runs there, and a README of what maps; what LAMMPS \
              lacks is refused, or with `nearest` written as what comes nearest.",
     examples: &[
@@ -33,6 +36,8 @@ pub const CARD: Card = Card {
         "export vtk particles now.vtk",
         "export svg contact loop.svg",
         "export svg assembly now.svg",
+        "export svg assembly now.svg numbers velocities",
+        "export svg polygon 7 forces.svg",
         "export lammps deck nearest",
     ],
     parse,
@@ -61,8 +66,8 @@ pub enum Export {
 /// What pictures can be drawn of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PictureOf {
-    /// Discs, walls, forces.
-    Assembly,
+    /// Discs, walls, forces, and what is laid over them.
+    Assembly(Layers),
     /// Deviator stress over mean stress.
     StressPath,
     /// Circles of Mohr.
@@ -71,12 +76,52 @@ pub enum PictureOf {
     Histogram,
     /// Contacts by direction.
     Rose,
+    /// Forces on the particle of this number, head to tail.
+    Polygon(u32),
+}
+
+/// What is laid over a picture of the assembly.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Layers {
+    /// The numbers of the particles.
+    pub numbers: bool,
+    /// Arrows along their velocities.
+    pub velocities: bool,
+}
+
+impl Layers {
+    /// None.
+    pub const NONE: Self = Self {
+        numbers: false,
+        velocities: false,
+    };
+
+    const WORDS: [&str; 2] = ["numbers", "velocities"];
+
+    fn parse(words: &mut Words<'_>) -> Result<Self, Mistake> {
+        let mut layers = Self::NONE;
+        while let Some(word) = words.optional_keyword(&Self::WORDS)? {
+            layers.numbers |= word == Self::WORDS[0];
+            layers.velocities |= word == Self::WORDS[1];
+        }
+        Ok(layers)
+    }
+}
+
+impl fmt::Display for Layers {
+    /// A blank before each.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let asked = Self::WORDS.into_iter().zip([self.numbers, self.velocities]);
+        asked
+            .filter(|(_, asked)| *asked)
+            .try_for_each(|(word, _)| write!(f, " {word}"))
+    }
 }
 
 impl PictureOf {
-    /// With their words.
+    /// Those of a whole sample, with their words.
     pub const ALL: [(&str, Self); 5] = [
-        ("assembly", Self::Assembly),
+        ("assembly", Self::Assembly(Layers::NONE)),
         ("path", Self::StressPath),
         ("mohr", Self::Mohr),
         ("histogram", Self::Histogram),
@@ -86,7 +131,10 @@ impl PictureOf {
     /// Its word.
     pub fn word(self) -> &'static str {
         let found = Self::ALL.iter().find(|(_, of)| *of == self);
-        found.map_or("assembly", |(word, _)| word)
+        match self {
+            Self::Polygon(_) => "polygon",
+            _ => found.map_or("assembly", |(word, _)| word),
+        }
     }
 }
 
@@ -148,10 +196,11 @@ fn parse(words: &mut Words<'_>) -> Result<Command, Mistake> {
         ))),
         "svg" => {
             let [a, b, c, d, e] = PictureOf::ALL;
-            let of = words.keyword(&["contact", a.0, b.0, c.0, d.0, e.0])?;
+            let of = words.keyword(&["contact", "polygon", a.0, b.0, c.0, d.0, e.0])?;
             let picture = PictureOf::ALL.into_iter().find(|(word, _)| *word == of);
             Some(match picture {
                 Some((_, of)) => Export::Picture(of),
+                None if of == "polygon" => Export::Picture(PictureOf::Polygon(words.particle()?)),
                 None => Export::Contact(ContactFile::Picture),
             })
         }
@@ -159,6 +208,12 @@ fn parse(words: &mut Words<'_>) -> Result<Command, Mistake> {
     };
     let file = words.file()?;
     if let Some(drawn) = drawn {
+        let drawn = match drawn {
+            Export::Picture(PictureOf::Assembly(_)) => {
+                Export::Picture(PictureOf::Assembly(Layers::parse(words)?))
+            }
+            other => other,
+        };
         return Ok(Command::Export(drawn, file));
     }
     let what = match what {
@@ -185,6 +240,8 @@ pub(crate) fn line(what: &Export, file: &str) -> String {
         Export::Contact(ContactFile::Traction) => format!("traction {file}"),
         Export::Contact(ContactFile::Picture) => format!("svg contact {file}"),
         Export::Vtk(of) => format!("vtk {of} {file}"),
+        Export::Picture(PictureOf::Assembly(layers)) => format!("svg assembly {file}{layers}"),
+        Export::Picture(PictureOf::Polygon(id)) => format!("svg polygon {id} {file}"),
         Export::Picture(of) => format!("svg {} {file}", of.word()),
         Export::Lammps(false) => format!("lammps {file}"),
         Export::Lammps(true) => format!("lammps {file} nearest"),

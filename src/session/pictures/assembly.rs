@@ -4,7 +4,8 @@
 //! Written by hand: a plotting library places discs on whole pixels, and an assembly of thousands
 //! needs better.
 
-use crate::measure::frame::{Picture, Touch};
+use crate::language::command::Layers;
+use crate::measure::frame::{Disc, Picture, Touch};
 use crate::session::figure::rough;
 
 /// Longer side of the assembly [pixels].
@@ -14,22 +15,23 @@ const SIZE: f64 = 900.0;
 const MARGIN: f64 = 16.0;
 const FOOT: f64 = 28.0;
 
+/// Width of a letter of that [pixels].
+const LETTER: f64 = 6.6;
+
 /// Width of the widest rectangle over the mean radius.
 const WIDEST: f64 = 1.0;
 
+/// Length of the longest arrow over the mean radius.
+const FASTEST: f64 = 3.0;
+
 /// The picture as SVG.
-pub(super) fn svg(picture: &Picture, cycle: u64) -> String {
+pub(super) fn svg(picture: &Picture, cycle: u64, layers: Layers) -> String {
     let map = Map::of(picture);
     let (width, height) = (
         map.size[0] + 2.0 * MARGIN,
         map.size[1] + 2.0 * MARGIN + FOOT,
     );
-    let mut text = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width:.0}\" height=\"{height:.0}\" \
-         viewBox=\"0 0 {width:.1} {height:.1}\">\n<rect width=\"100%\" height=\"100%\" \
-         fill=\"white\"/>\n"
-    );
-    text.push_str("<g fill=\"#f2f2f2\" stroke=\"#808080\" stroke-width=\"0.6\">\n");
+    let mut text = String::from("<g fill=\"#f2f2f2\" stroke=\"#808080\" stroke-width=\"0.6\">\n");
     for disc in &picture.discs {
         let [x, y] = map.at(disc.at);
         let radius = disc.radius * map.scale;
@@ -63,22 +65,74 @@ pub(super) fn svg(picture: &Picture, cycle: u64) -> String {
              stroke-width=\"{bar:.3}\"{colour}/>\n"
         ));
     }
-    let foot = format!(
+    text.push_str("</g>\n");
+    let mut foot = format!(
         "cycle {cycle}: {} particles, {} contacts, widest bar {} N; orange: sliding; scale bar {} m",
         picture.discs.len(),
         picture.touches.len(),
         rough(most),
         rough(map.bar()),
     );
+    if layers.velocities {
+        let fastest = picture.discs.iter().map(Disc::speed).fold(0.0, f64::max);
+        foot.push_str(&format!("; longest arrow {} m/s", rough(fastest)));
+        let longest = FASTEST * widest / WIDEST;
+        arrows(&mut text, picture, &map, longest / fastest);
+    }
+    if layers.numbers {
+        numbers(&mut text, picture, &map);
+    }
     let (x, y) = (MARGIN, height - 0.4 * FOOT);
     let reach = x + map.bar() * map.scale;
+    // As wide as the text below it, where the assembly is narrow.
+    let width = width.max(foot.len() as f64 * LETTER + 2.0 * MARGIN);
+    let head = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width:.0}\" height=\"{height:.0}\" \
+         viewBox=\"0 0 {width:.1} {height:.1}\">\n<rect width=\"100%\" height=\"100%\" \
+         fill=\"white\"/>\n"
+    );
     text.push_str(&format!(
-        "</g>\n<line x1=\"{x:.2}\" y1=\"{up:.2}\" x2=\"{reach:.2}\" y2=\"{up:.2}\" stroke=\"black\" \
+        "<line x1=\"{x:.2}\" y1=\"{up:.2}\" x2=\"{reach:.2}\" y2=\"{up:.2}\" stroke=\"black\" \
          stroke-width=\"3\"/>\n<text x=\"{x:.2}\" y=\"{y:.2}\" font-family=\"sans-serif\" \
          font-size=\"13\">{foot}</text>\n</svg>\n",
         up = y - 16.0,
     ));
-    text
+    head + &text
+}
+
+/// An arrow from each centre along its velocity; `scale` in pixels per [m/s].
+fn arrows(text: &mut String, picture: &Picture, map: &Map, scale: f64) {
+    text.push_str(
+        "<defs><marker id=\"head\" viewBox=\"0 0 6 6\" refX=\"5\" refY=\"3\" markerWidth=\"5\" \
+         markerHeight=\"5\" orient=\"auto\"><path d=\"M0 0L6 3L0 6z\" fill=\"#009e73\"/></marker></defs>\n\
+         <g stroke=\"#009e73\" stroke-width=\"1\" marker-end=\"url(#head)\">\n",
+    );
+    for disc in picture.discs.iter().filter(|disc| disc.speed() > 0.0) {
+        let [x, y] = map.at(disc.at);
+        let [dx, dy] = disc.velocity.map(|v| v * scale);
+        text.push_str(&format!(
+            "<path d=\"M{x:.2} {y:.2}L{:.2} {:.2}\"/>\n",
+            x + dx,
+            y - dy
+        ));
+    }
+    text.push_str("</g>\n");
+}
+
+/// The number of each particle at its centre.
+fn numbers(text: &mut String, picture: &Picture, map: &Map) {
+    text.push_str(
+        "<g font-family=\"sans-serif\" text-anchor=\"middle\" dominant-baseline=\"central\">\n",
+    );
+    for disc in &picture.discs {
+        let [x, y] = map.at(disc.at);
+        let size = 0.8 * disc.radius * map.scale;
+        text.push_str(&format!(
+            "<text x=\"{x:.2}\" y=\"{y:.2}\" font-size=\"{size:.2}\">{}</text>\n",
+            disc.id
+        ));
+    }
+    text.push_str("</g>\n");
 }
 
 /// Radii [m] by the numbers of the discs, ascending.

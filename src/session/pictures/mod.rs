@@ -5,6 +5,7 @@ mod histogram;
 mod mohr;
 mod path;
 pub(crate) mod plate;
+mod polygon;
 mod rose;
 
 use std::error::Error;
@@ -12,6 +13,7 @@ use std::error::Error;
 use super::{Refusal, Session};
 use crate::language::command::PictureOf;
 use crate::measure::frame::Picture;
+use crate::measure::polygon::ForcePolygon;
 use crate::measure::survey::{Part, Parts, Survey};
 
 /// Why a picture cannot be drawn.
@@ -26,8 +28,19 @@ impl Session {
         }
         let cycle = self.world.cycle_number();
         let sample = self.sample();
-        if of == PictureOf::Assembly {
-            return Ok(assembly::svg(&Picture::of(sample.world()), cycle));
+        if let PictureOf::Assembly(layers) = of {
+            return Ok(assembly::svg(&Picture::of(sample.world()), cycle, layers));
+        }
+        if let PictureOf::Polygon(id) = of {
+            let world = sample.world();
+            let Some(p) = world.particles().index(id) else {
+                return Err(Refusal::new(
+                    format!("there is no particle {id}"),
+                    "`print balls` lists them",
+                ));
+            };
+            let polygon = ForcePolygon::of(world, p);
+            return polygon::svg(&polygon, cycle).map_err(|error| failed(&error));
         }
         let parts = [
             Part::Directions,

@@ -17,13 +17,23 @@ use crate::tui::prompt::Typed;
 use crate::tui::view::{self, View};
 
 impl App {
-    /// Takes pasted text.
-    pub fn paste(&mut self, text: &str) {
-        if !self.prompt.open {
-            self.prompt.open_with("");
-        }
-        self.prompt.paste(text);
+    /// Takes pasted text: every line that it ends is executed, as if typed; what follows waits in the
+    /// prompt.
+    pub fn paste(&mut self, text: &str) -> Vec<Effect> {
         self.dirty = true;
+        let mut effects = Vec::new();
+        // Terminals send line ends as Enter would: as carriage returns.
+        for piece in text.split_inclusive(['\r', '\n']) {
+            if !self.prompt.open {
+                self.prompt.open_with("");
+            }
+            self.prompt.paste(piece);
+            let ends = piece.ends_with(['\r', '\n']) && !self.prompt.text().trim().is_empty();
+            if ends && let Typed::Line(line) = self.prompt.enter() {
+                effects.push(self.line(&line));
+            }
+        }
+        effects
     }
 
     /// Takes a key.

@@ -49,10 +49,11 @@ fn companion(app: &App, name: &str) -> Option<usize> {
     app.series.position(second)
 }
 
-fn newest(app: &App, column: usize) -> f64 {
+/// The newest value as it is shown; empty before the first row.
+fn newest(app: &App, column: usize) -> String {
     let row = app.series.rows().last();
-    row.and_then(|row| row.values.get(column).copied())
-        .unwrap_or(f64::NAN)
+    let value = row.map(|row| row.values.get(column).copied().unwrap_or(f64::NAN));
+    value.map(short).unwrap_or_default()
 }
 
 fn title(app: &App, id: PaneId) -> String {
@@ -62,13 +63,13 @@ fn title(app: &App, id: PaneId) -> String {
     };
     let observable = &app.series.columns[column];
     let more = match companion(app, name) {
-        Some(second) => format!("dotted: shear part {}", short(newest(app, second))),
+        Some(second) => format!("dotted: shear part {}", newest(app, second)),
         None => observable.summary(),
     };
     format!(
         "{name} [{}] {}  {more}",
         observable.unit(),
-        short(newest(app, column))
+        newest(app, column)
     )
 }
 

@@ -11,6 +11,7 @@ pub mod mohr;
 pub mod monitor;
 pub mod numbers;
 pub mod path;
+pub mod polygon;
 pub mod presets;
 pub mod profile;
 pub mod rose;
@@ -42,6 +43,8 @@ pub enum PaneId {
     StressPath,
     /// Circles of Mohr.
     MohrCircle,
+    /// Forces on the selected disc, head to tail.
+    ForcePolygon,
     /// Porosity by distance.
     Profile,
     /// FRACC, stability bound, warnings.
@@ -91,6 +94,7 @@ pub const PANES: &[(PaneId, Pane)] = &[
     (PaneId::Histogram, histogram::PANE),
     (PaneId::StressPath, path::PANE),
     (PaneId::MohrCircle, mohr::PANE),
+    (PaneId::ForcePolygon, polygon::PANE),
     (PaneId::Profile, profile::PANE),
     (PaneId::Monitor, monitor::PANE),
     (PaneId::Numbers, numbers::PANE),

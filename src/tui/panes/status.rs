@@ -76,7 +76,7 @@ fn parts(app: &App) -> Vec<(String, Role)> {
     }
     let (stage, stages) = frame.stages;
     if stages > 0 {
-        parts.push((format!("stage {} {stage}/{stages}", frame.stage), plain));
+        parts.push((format!("{} {stage}/{stages}", frame.stage), plain));
     }
     if frame.running {
         let pace = if app.pace.is_some() { " paced" } else { "" };
@@ -91,8 +91,8 @@ fn parts(app: &App) -> Vec<(String, Role)> {
         }
         parts.push((text, plain));
     }
-    parts.push((frame.preset.clone(), plain));
     parts.push((line(&app.link), plain));
+    parts.push((frame.preset.clone(), plain));
     parts
 }
 
@@ -127,10 +127,10 @@ pub fn draw(app: &App, area: Rect, buffer: &mut Buffer) {
     let mut column = 0;
     for (text, role) in parts(app) {
         let width = text.chars().count();
-        // What matters most is cut rather than left out.
+        // What matters most is cut rather than left out; what is short enough fills what is left.
         let must = column == 0 || role == Role::Failure;
         if !must && usize::from(column) + width > usize::from(area.width) {
-            break;
+            continue;
         }
         let on = (area, &mut *buffer);
         column = write::at(&app.look, on, (column, 0), &text, role).saturating_add(2);

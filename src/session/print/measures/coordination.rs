@@ -12,7 +12,10 @@ pub(super) fn lines(place: &Place<'_, '_>) -> Vec<String> {
     let mut lines = vec![place.heading("coordination")];
     lines.extend(listed(&[
         ("contacts", figures([assembly.contacts], "-")),
-        ("coordination 2C/N", figures([assembly.coordination], "-")),
+        (
+            "coordination 2C/N, a wall counts half",
+            figures([assembly.coordination], "-"),
+        ),
         (
             "without rattlers",
             figures([assembly.coordination_mechanical], "-"),
