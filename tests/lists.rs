@@ -9,7 +9,7 @@ use ballast::engine::contact::laws::LAWS;
 use ballast::language::COMMANDS;
 use ballast::measure::columns::listing;
 use ballast::scene::Scene;
-use ballast::scene::catalogue::PRESETS;
+use ballast::scene::catalogue::{PRESETS, Preset};
 use program::{ballast, said};
 
 /// What is asked of the program besides the workbench.
@@ -174,41 +174,49 @@ fn every_command_is_listed_and_has_a_page() {
     }
 }
 
+/// What `check` tells of an embedded preset.
+fn check_is_complete(preset: &Preset) {
+    let report = listed(&["check", preset.name]);
+    // Most cannot be told before the sample is prepared.
+    if preset.text.contains("\n[start]\n") {
+        assert!(report.contains("\nstarts from:"), "{report}");
+        return;
+    }
+    for label in [
+        "modelled:",
+        "not modelled:",
+        "sizes:",
+        "start:",
+        "memory:",
+        "time step:",
+        "frac limit:",
+        "stages:",
+        "length:",
+        "history:",
+        "files:",
+        "expectations:",
+    ] {
+        let lines = report
+            .lines()
+            .filter(|line| line.starts_with(label))
+            .count();
+        assert_eq!(lines, 1, "{}: {label} in\n{report}", preset.name);
+    }
+    let scene = Scene::load(preset.name, &[]).expect("it is embedded");
+    let why = report.lines().any(|line| line.starts_with("energies:"));
+    assert_eq!(!scene.booked_for().is_empty(), why, "{report}");
+    assert!(!report.contains("the run fails"), "{report}");
+    assert!(!report.contains("expect instability"), "{report}");
+}
+
 #[test]
 fn check_tells_what_a_user_wants_to_know() {
-    for preset in PRESETS {
-        let report = listed(&["check", preset.name]);
-        // Most cannot be told before the sample is prepared.
-        if preset.text.contains("\n[start]\n") {
-            assert!(report.contains("\nstarts from:"), "{report}");
-            continue;
+    // Each looks for a while how fast the preset runs.
+    std::thread::scope(|scope| {
+        for few in PRESETS.chunks(PRESETS.len().div_ceil(4)) {
+            scope.spawn(|| few.iter().for_each(check_is_complete));
         }
-        for label in [
-            "modelled:",
-            "not modelled:",
-            "sizes:",
-            "start:",
-            "memory:",
-            "time step:",
-            "frac limit:",
-            "stages:",
-            "length:",
-            "history:",
-            "files:",
-            "expectations:",
-        ] {
-            let lines = report
-                .lines()
-                .filter(|line| line.starts_with(label))
-                .count();
-            assert_eq!(lines, 1, "{}: {label} in\n{report}", preset.name);
-        }
-        let scene = Scene::load(preset.name, &[]).expect("it is embedded");
-        let why = report.lines().any(|line| line.starts_with("energies:"));
-        assert_eq!(!scene.booked_for().is_empty(), why, "{report}");
-        assert!(!report.contains("the run fails"), "{report}");
-        assert!(!report.contains("expect instability"), "{report}");
-    }
+    });
     let unstable = listed(&["check", "square-lattice", "--set", "model.frac=0.3"]);
     assert!(
         unstable.contains("frac = 0.3 is above the limit 0.25"),
