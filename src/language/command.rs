@@ -22,7 +22,7 @@ pub use super::verbs::generate::{Generate, GeneratePlace, MOST_GENERATED};
 pub use super::verbs::grow::Grow;
 pub use super::verbs::history::HistoryChange;
 pub use super::verbs::particle::ParticleChange;
-pub use super::verbs::print::{Measure, Printout};
+pub use super::verbs::print::{Measure, Printout, Where};
 pub use super::verbs::property::Property;
 pub use super::verbs::servo::ServoGoal;
 pub use super::verbs::solve::{Goal, Solve};

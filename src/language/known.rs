@@ -2,7 +2,7 @@
 
 use super::command::{
     Command, Continuum, Create, Export, FrictionOf, Generate, Goal, HistoryChange, MOST_GENERATED,
-    PictureOf, Printout, WallChange,
+    PictureOf, Printout, WallChange, Where,
 };
 use super::definition::Definitions;
 use super::mistake::{Mistake, shown};
@@ -93,7 +93,7 @@ impl Known {
                 self.wall(name, line)
             }
             Command::Print(
-                Printout::Measure(_, Some(region)) | Printout::Profile(Some(region), _),
+                Printout::Measure(_, Where::Region(region)) | Printout::Profile(Some(region), _),
             )
             | Command::Export(Export::Profile(Some(region), _), _) => self.region(region, line),
             Command::History(HistoryChange::Columns(columns)) => columns

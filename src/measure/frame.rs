@@ -118,6 +118,17 @@ impl Touch {
     pub fn force(&self) -> f64 {
         (self.n * self.n + self.t * self.t).sqrt()
     }
+
+    /// Unit vector along the contact force, as Strack & Cundall drew it; the normal where there is none.
+    pub fn along(&self) -> [f64; 2] {
+        let (e, size) = (self.normal, self.force());
+        if size > 0.0 {
+            let [n, t] = [self.n / size, self.t / size];
+            [n * e[0] + t * e[1], n * e[1] - t * e[0]]
+        } else {
+            e
+        }
+    }
 }
 
 /// A wall as far as it can be drawn.

@@ -3,8 +3,8 @@
 use ballast::engine::setup::Gravity;
 use ballast::language::command::{
     Bond, ContactFile, Create, Damper, DumpOf, Export, FrictionOf, Generate, GeneratePlace, Goal,
-    Grow, HistoryChange, Measure, ParticleChange, ParticleRange, PictureOf, Printout, Property,
-    Solve, WallChange,
+    Grow, HistoryChange, Layers, Measure, ParticleChange, ParticleRange, PictureOf, Printout,
+    Property, Solve, WallChange, Where,
 };
 use ballast::language::{COMMANDS, Command, Expression, Known, Observable};
 use ballast::measure::columns::{CONTACT, Column, PARTICLE, Partner, Read, Row, WALL, assembly};
@@ -241,9 +241,13 @@ fn about_records() -> impl Strategy<Value = Command> {
         ]),
         (
             prop::sample::select(Measure::all().collect::<Vec<_>>()),
-            prop::option::of(wall())
+            prop_oneof![
+                Just(Where::Default),
+                wall().prop_map(Where::Region),
+                place().prop_map(Where::Place),
+            ]
         )
-            .prop_map(|(measure, region)| Printout::Measure(measure, region)),
+            .prop_map(|(measure, place)| Printout::Measure(measure, place)),
         (prop::option::of(wall()), prop::option::of(1..10_000_u64))
             .prop_map(|(region, rings)| Printout::Profile(region, rings)),
         (1..=u32::MAX).prop_map(Printout::Polygon),
@@ -281,6 +285,14 @@ fn export() -> impl Strategy<Value = Export> {
         Just(Export::Vtk(DumpOf::Particles)),
         Just(Export::Vtk(DumpOf::Contacts)),
         prop::sample::select(PictureOf::ALL.to_vec()).prop_map(|(_, of)| Export::Picture(of)),
+        (any::<bool>(), any::<bool>()).prop_map(|(numbers, velocities)| {
+            let layers = Layers {
+                numbers,
+                velocities,
+            };
+            Export::Picture(PictureOf::Assembly(layers))
+        }),
+        (1..=u32::MAX).prop_map(|id| Export::Picture(PictureOf::Polygon(id))),
         any::<bool>().prop_map(Export::Lammps),
     ]
 }

@@ -320,6 +320,25 @@ fn numbers_and_velocities_are_laid_over() {
     assert!(refusal.unwrap_err().to_string().contains("numbers"));
 }
 
+/// A place that the preset does not know: all of the pile, half of it, nothing.
+#[test]
+fn places_can_be_measured_that_have_no_name() {
+    let mut session = pile(&[]);
+    advance(&mut session, 9000);
+    let mut print = |place: &str| {
+        let reply = session.type_line(&format!("print coordination{place}"));
+        reply.unwrap().lines
+    };
+    let (all, around) = (print(""), print(" in rectangle -1e3 -1e3 1e3 1e3"));
+    assert_eq!(all[1..], around[1..]);
+    assert!(around[0].contains("rectangle -1000 -1000 1000 1000, 105 particles"));
+    let [half, none] = [" in circle 1.5 0 1", " in circle 0 1e3 1"].map(&mut print);
+    assert_ne!(half[1..], all[1..]);
+    assert!(none[0].ends_with(", 0 particles"), "{}", none[0]);
+    let refusal = session.type_line("print stress in circle 0 0").unwrap_err();
+    assert!(refusal.to_string().contains("the radius of the circle"));
+}
+
 /// A side for each contact, head to tail, and the last for the weight: it closes up to the residual.
 #[test]
 fn force_polygons_are_drawn() {

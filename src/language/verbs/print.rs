@@ -1,6 +1,7 @@
 //! `print`: shows tables.
 
 use super::delete::ParticleRange;
+use super::generate::{GeneratePlace, place};
 use crate::language::command::Command;
 use crate::language::list::Card;
 use crate::language::mistake::Mistake;
@@ -13,12 +14,12 @@ pub const CARD: Card = Card {
     aliases: &[],
     usage: "print balls|contacts [I|I-J] | walls|types|boundary|energy|step | \
             stress|partition|mohr|strain|fabric|fourier|rose|coordination|redundancy|changes \
-            [REGION] | histogram obliquity|stress|force [REGION] | profile [REGION] [RINGS] | \
+            [PLACE] | histogram obliquity|stress|force [PLACE] | profile [REGION] [RINGS] | \
             polygon I | averages|all",
     summary: "shows a table",
     detail: "balls and contacts can be limited to particle numbers; types are the materials. From \
-             stress to profile, measures are those of a region, the first one unless another is \
-             named. polygon sums the forces on a particle head to tail. `averages` makes later \
+             stress to histogram, measures are those of a place: a region of the preset, the first one \
+             unless another is named, or `in circle X Y R` or `in rectangle X1 Y1 X2 Y2`. polygon sums the forces on a particle head to tail. `averages` makes later \
              tables end with averages only, `all` shows every row again.",
     examples: &[
         "print balls",
@@ -26,6 +27,7 @@ pub const CARD: Card = Card {
         "print energy",
         "print partition",
         "print stress core",
+        "print stress in circle 0 0 0.01",
         "print histogram obliquity",
         "print profile 20",
         "print polygon 7",
@@ -35,8 +37,38 @@ pub const CARD: Card = Card {
     changes_world: false,
 };
 
+/// Where something is measured.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Where {
+    /// In the first region, or everywhere.
+    Default,
+    /// In the region of this name.
+    Region(String),
+    /// Here.
+    Place(GeneratePlace),
+}
+
+impl Where {
+    fn parse(words: &mut Words<'_>) -> Result<Self, Mistake> {
+        Ok(match words.region_if_any()? {
+            None => Self::Default,
+            // A region may be called so, too.
+            Some(name) if name == "in" && !words.is_at_end() => Self::Place(place(words)?),
+            Some(name) => Self::Region(name),
+        })
+    }
+
+    /// The name of the region, if that was given.
+    pub fn region(&self) -> Option<&str> {
+        match self {
+            Self::Region(name) => Some(name),
+            _ => None,
+        }
+    }
+}
+
 /// What to show.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Printout {
     /// Particles, all or those in a range.
     Balls(Option<ParticleRange>),
@@ -52,8 +84,8 @@ pub enum Printout {
     Energy,
     /// Time step and its limits.
     Step,
-    /// A measure of the region of this name, or of the default one.
-    Measure(Measure, Option<String>),
+    /// A measure of a place.
+    Measure(Measure, Where),
     /// Porosity by distance from the middle of a region, in so many rings.
     Profile(Option<String>, Option<u64>),
     /// Forces on the particle of this number.
@@ -157,10 +189,10 @@ fn parse(words: &mut Words<'_>) -> Result<Command, Mistake> {
     let what = match words.choose(&options)? {
         Rest::Range(of) => of(range(words)?),
         Rest::Nothing(of) => of(),
-        Rest::Region(measure) => Printout::Measure(measure, words.region_if_any()?),
+        Rest::Region(measure) => Printout::Measure(measure, Where::parse(words)?),
         Rest::Histogram => {
             let measure = words.choose(HISTOGRAMS)?;
-            Printout::Measure(measure, words.region_if_any()?)
+            Printout::Measure(measure, Where::parse(words)?)
         }
         Rest::Profile => {
             let (region, rings) = profile(words)?;
@@ -239,7 +271,8 @@ impl Printout {
             (None, word) => write!(f, "histogram {}", word.unwrap_or_default())?,
         }
         match self {
-            Self::Measure(_, Some(region)) => write!(f, " {region}"),
+            Self::Measure(_, Where::Region(region)) => write!(f, " {region}"),
+            Self::Measure(_, Where::Place(place)) => write!(f, " in {place}"),
             _ => Ok(()),
         }
     }

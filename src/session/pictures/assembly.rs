@@ -146,12 +146,6 @@ fn sizes(picture: &Picture) -> Vec<(u32, f64)> {
 /// Ends of the rectangle of a contact [m]: through it, or through the middle of the radius at a wall,
 /// along the force on its first body.
 fn ends(touch: &Touch, sizes: &[(u32, f64)]) -> [[f64; 2]; 2] {
-    let e = touch.normal;
-    let force = [
-        touch.n * e[0] + touch.t * e[1],
-        touch.n * e[1] - touch.t * e[0],
-    ];
-    let size = touch.force();
     let first = sizes.binary_search_by_key(&touch.first, |(id, _)| *id);
     let share = match (touch.second, first) {
         (Some(_), Ok(place)) => sizes[place].1 / touch.length,
@@ -159,7 +153,8 @@ fn ends(touch: &Touch, sizes: &[(u32, f64)]) -> [[f64; 2]; 2] {
     };
     let [from, to] = touch.ends;
     let middle = [0, 1].map(|k| from[k] + share * (to[k] - from[k]));
-    [-0.5, 0.5].map(|side| [0, 1].map(|k| middle[k] + side * touch.length * force[k] / size))
+    let along = touch.along();
+    [-0.5, 0.5].map(|side| [0, 1].map(|k| middle[k] + side * touch.length * along[k]))
 }
 
 /// From metres to pixels.

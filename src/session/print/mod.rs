@@ -20,7 +20,7 @@ pub(super) use layout::listed;
 pub(super) use materials::dashpots;
 
 use crate::engine::World;
-use crate::language::command::Printout;
+use crate::language::command::{Printout, Where};
 use crate::measure::reference::Reference;
 use crate::measure::region::Region;
 use crate::measure::sample::Sample;
@@ -34,6 +34,17 @@ pub(super) fn table(
     what: &Printout,
     averages: bool,
 ) -> Vec<String> {
+    let here: [Region; 1];
+    let regions = match what {
+        Printout::Measure(_, Where::Place(place)) => {
+            here = [Region {
+                name: place.to_string(),
+                shape: place.shape(),
+            }];
+            &here[..]
+        }
+        _ => regions,
+    };
     let sample = Sample::over(world, regions, Some(reference));
     let world = sample.world();
     match what {
@@ -46,7 +57,7 @@ pub(super) fn table(
         Printout::Boundary => boundary::lines(world),
         Printout::Energy => energy::lines(world),
         Printout::Step => step::lines(world),
-        Printout::Measure(measure, region) => measures::lines(&sample, *measure, region.as_deref()),
+        Printout::Measure(measure, place) => measures::lines(&sample, *measure, place.region()),
         Printout::Profile(region, rings) => {
             measures::profile(&Place::of(&sample, region.as_deref()), *rings)
         }
@@ -122,7 +133,7 @@ mod tests {
             Printout::Profile(None, Some(3)),
             Printout::Polygon(2),
         ];
-        tables.extend(Measure::all().map(|measure| Printout::Measure(measure, None)));
+        tables.extend(Measure::all().map(|measure| Printout::Measure(measure, Where::Default)));
         tables
     }
 

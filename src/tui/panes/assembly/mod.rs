@@ -268,7 +268,11 @@ fn draw_bars(picture: &Picture, app: &App, mean: f64, map: &Map, dots: &mut Dots
             Points::Ascii => 1,
         };
         let (middle, half) = touch.bar();
-        let end = |sign: f64| [0, 1].map(|k| middle[k] + sign * half * touch.normal[k]);
+        let along = match app.look.chains {
+            Chains::Tangential => touch.normal,
+            _ => touch.along(),
+        };
+        let end = |sign: f64| [0, 1].map(|k| middle[k] + sign * half * along[k]);
         let (from, to) = (map.at(end(-1.0)), map.at(end(1.0)));
         dots.bar(from, to, width, Ink::Force(class));
     }
