@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::expression::Expression;
+use super::expression::{Expression, is_function};
 use super::mistake::Mistake;
 use super::name::is_name;
 use crate::measure::columns::{assembly, nearest};
@@ -11,12 +11,11 @@ use crate::measure::columns::{assembly, nearest};
 const LARGEST: usize = 4096;
 
 /// Words of expressions that are no columns.
-const WORDS: [&str; 12] = [
+const WORDS: [&str; 11] = [
     "cycle",
     "time",
     "stage",
     "stage_cycle",
-    "abs",
     "min",
     "max",
     "last",
@@ -69,7 +68,10 @@ impl Definitions {
                 "a name is a letter followed by letters, digits and `_`",
             );
         }
-        if WORDS.contains(&name.as_str()) || assembly().any(|row| row.card.name == name) {
+        if WORDS.contains(&name.as_str())
+            || is_function(&name)
+            || assembly().any(|row| row.card.name == name)
+        {
             return refuse(
                 format!("`{name}` has a meaning of its own"),
                 "choose another name",

@@ -1,7 +1,7 @@
 //! Gives syntax its type: numbers join to numbers, comparisons to conditions.
 
 use super::syntax::{Form, Operator, Syntax};
-use super::tree::{Arithmetic, Comparison, Condition, Number};
+use super::tree::{Arithmetic, Comparison, Condition, Function, Number};
 use crate::language::mistake::Mistake;
 use crate::measure::columns::near;
 
@@ -88,22 +88,30 @@ pub(super) fn number<L>(
             joined(how, a, b, text, leaf)
         }
         Form::Call(function, arguments) => match (function.as_str(), arguments.as_slice()) {
-            ("abs", [of]) => Ok(Number::Absolute(Box::new(number(of, text, leaf)?))),
             ("min", [a, b]) => joined(Arithmetic::Smaller, a, b, text, leaf),
             ("max", [a, b]) => joined(Arithmetic::Larger, a, b, text, leaf),
-            ("abs", _) => Err(arguments_expected(
-                syntax,
-                "abs",
-                "one value",
-                arguments.len(),
-            )),
             (name @ ("min" | "max"), _) => Err(arguments_expected(
                 syntax,
                 name,
                 "two values",
                 arguments.len(),
             )),
-            _ => Err(unknown_function(function, &["abs", "min", "max"], syntax)),
+            (name, arguments) => match (Function::named(name), arguments) {
+                (Some(applied), [of]) => {
+                    Ok(Number::Applied(applied, Box::new(number(of, text, leaf)?)))
+                }
+                (Some(_), _) => Err(arguments_expected(
+                    syntax,
+                    name,
+                    "one value",
+                    arguments.len(),
+                )),
+                (None, _) => {
+                    let known = Function::ALL.map(|(name, _)| name);
+                    let known = [&known[..], &["min", "max"]].concat();
+                    Err(unknown_function(function, &known, syntax))
+                }
+            },
         },
         // Every kind of expression has its own names, and its leaves refuse the others.
         Form::Name(name) => Err(Mistake::new(

@@ -1,6 +1,6 @@
 //! Expressions: what `until` waits for, what an expectation measures.
 //!
-//! Columns, `cycle`, `time` and `stage_cycle`, numbers, `+ - * /`, `abs min max`,
+//! Columns, `cycle`, `time` and `stage_cycle`, numbers, `+ - * /`, `min max`, functions of one number,
 //! `>= > <= < ==`, `and`, `or`, parentheses. `and` binds before `or`.
 
 mod meaning;
@@ -22,7 +22,12 @@ use std::ops::Range;
 use std::str::FromStr;
 use syntax::Syntax;
 use term::{Places, Scope, terms};
-use tree::{Arithmetic, Number};
+use tree::{Arithmetic, Function, Number};
+
+/// Whether this is the name of a function of one number.
+pub(super) fn is_function(name: &str) -> bool {
+    Function::named(name).is_some()
+}
 
 /// An expression over one row of a history: a number or a condition.
 #[derive(Debug, Clone)]

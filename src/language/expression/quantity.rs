@@ -5,7 +5,7 @@ use super::meaning::{
 };
 use super::syntax::{self, Form, Syntax};
 use super::term::{AGGREGATES, Places, Scope, Term, terms};
-use super::tree::{Condition, Number};
+use super::tree::{Condition, Function, Number};
 use super::{check, each_once, shown};
 use crate::language::definition::Definitions;
 use crate::language::mistake::Mistake;
@@ -199,10 +199,11 @@ fn aggregate(
             let takes = "a condition and a value";
             return Err(arguments_expected(syntax, function, takes, arguments.len()));
         }
-        ("min" | "max" | "abs", _) => return Ok(None),
+        ("min" | "max", _) => return Ok(None),
+        (name, _) if Function::named(name).is_some() => return Ok(None),
         _ => {
             let mut known = AGGREGATES.to_vec();
-            known.push("abs");
+            known.extend(Function::ALL.map(|(name, _)| name));
             return Err(unknown_function(function, &known, syntax));
         }
     }))

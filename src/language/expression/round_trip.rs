@@ -1,4 +1,4 @@
-use super::tree::{Arithmetic, Comparison, Condition, Number};
+use super::tree::{Arithmetic, Comparison, Condition, Function, Number};
 use super::*;
 use proptest::prelude::*;
 
@@ -33,10 +33,12 @@ fn some_number() -> impl Strategy<Value = Number<Term>> {
         Arithmetic::Smaller,
         Arithmetic::Larger,
     ]);
+    let function = prop::sample::select(Function::ALL.map(|(_, function)| function).to_vec());
     leaf.prop_recursive(5, 32, 2, move |inner| {
         prop_oneof![
             inner.clone().prop_map(|n| Number::Negative(Box::new(n))),
-            inner.clone().prop_map(|n| Number::Absolute(Box::new(n))),
+            (function.clone(), inner.clone())
+                .prop_map(|(function, n)| Number::Applied(function, Box::new(n))),
             (how.clone(), inner.clone(), inner).prop_map(|(how, a, b)| Number::Joined(
                 how,
                 Box::new(a),

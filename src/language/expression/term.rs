@@ -2,7 +2,7 @@
 
 use super::meaning::{Leaf, arguments_expected};
 use super::syntax::{Form, Syntax};
-use super::tree::Number;
+use super::tree::{Function, Number};
 use crate::language::definition::Definitions;
 use crate::language::mistake::{Mistake, shown};
 use crate::language::name::numeric_column;
@@ -86,11 +86,12 @@ fn named(
     scope: Scope<'_>,
     places: &mut Places,
 ) -> Result<Number<Term>, Mistake> {
-    match name.to_ascii_lowercase().as_str() {
+    let lower = name.to_ascii_lowercase();
+    match lower.as_str() {
         "cycle" => return Ok(Number::Leaf(Term::Cycle)),
         "time" => return Ok(Number::Leaf(Term::Time)),
         "stage_cycle" => return Ok(Number::Leaf(Term::StageCycle)),
-        bare @ ("abs" | "min" | "max" | "last" | "mean" | "at") => {
+        bare if AGGREGATES.contains(&bare) || Function::named(bare).is_some() => {
             let message = format!("`{bare}` is a function");
             let remedy = format!("write what it applies to: {bare}(...)");
             return Err(Mistake::new(message, remedy, span));

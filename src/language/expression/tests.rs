@@ -30,6 +30,8 @@ fn arithmetic_follows_the_usual_order() {
         ("-2 * -3", 6.0),
         ("2 - -1", 3.0),
         ("abs(-3) + MIN(4, 2) + max(1, time)", 6.0),
+        ("sqrt(9) * exp(0) + ln(exp(2)) - SIN(0) * cos(3)", 5.0),
+        ("4 * atan(1)", std::f64::consts::PI),
         ("1_000 * 1e-3", 1.0),
         ("contact:1-2:n - 1", 2.0),
         ("wall:left:f1-1", 2.0),
@@ -123,9 +125,19 @@ fn mistakes_say_where_and_what() {
              it belongs to the `what` of an [[expect]]",
         ),
         (
-            "sqrt(2) > 1",
-            0..4,
-            "`sqrt` is no function; there is abs, min, max",
+            "tan(2) > 1",
+            0..3,
+            "`tan` is no function; did you mean `atan`?",
+        ),
+        (
+            "bessel(2) > 1",
+            0..6,
+            "`bessel` is no function; there is abs, sqrt, exp, ln, sin, cos, atan, min, max",
+        ),
+        (
+            "sqrt(2, 3) > 1",
+            0..10,
+            "`sqrt` takes one value, not 2; separate values by commas",
         ),
         (
             "abs > 1",
@@ -257,7 +269,8 @@ fn wrong_quantities_are_explained() {
         ),
         (
             "average(kinetic)",
-            "`average` is no function; there is last, max, min, mean, at, abs",
+            "`average` is no function; there is last, max, min, mean, at, abs, sqrt, exp, ln, sin, cos, \
+             atan",
         ),
         (
             "1 + 2",

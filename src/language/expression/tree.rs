@@ -17,6 +17,53 @@ pub(super) enum Arithmetic {
     Larger,
 }
 
+/// What is made of one number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Function {
+    Absolute,
+    Root,
+    Exponential,
+    Logarithm,
+    Sine,
+    Cosine,
+    ArcTangent,
+}
+
+impl Function {
+    /// With their names.
+    pub(super) const ALL: [(&str, Self); 7] = [
+        ("abs", Self::Absolute),
+        ("sqrt", Self::Root),
+        ("exp", Self::Exponential),
+        ("ln", Self::Logarithm),
+        ("sin", Self::Sine),
+        ("cos", Self::Cosine),
+        ("atan", Self::ArcTangent),
+    ];
+
+    pub(super) fn named(name: &str) -> Option<Self> {
+        let found = Self::ALL.iter().find(|(known, _)| *known == name);
+        found.map(|(_, function)| *function)
+    }
+
+    fn name(self) -> &'static str {
+        let found = Self::ALL.iter().find(|(_, known)| *known == self);
+        found.map_or("abs", |(name, _)| name)
+    }
+
+    fn apply(self, x: f64) -> f64 {
+        match self {
+            Self::Absolute => x.abs(),
+            Self::Root => x.sqrt(),
+            Self::Exponential => libm::exp(x),
+            Self::Logarithm => libm::log(x),
+            Self::Sine => libm::sin(x),
+            Self::Cosine => libm::cos(x),
+            Self::ArcTangent => libm::atan(x),
+        }
+    }
+}
+
 /// What compares two numbers. Whatever is compared with nan does not hold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Comparison {
@@ -33,7 +80,7 @@ pub(super) enum Number<L> {
     Constant(f64),
     Leaf(L),
     Negative(Box<Self>),
-    Absolute(Box<Self>),
+    Applied(Function, Box<Self>),
     Joined(Arithmetic, Box<Self>, Box<Self>),
 }
 
@@ -51,7 +98,7 @@ impl<L> Number<L> {
             Self::Constant(value) => *value,
             Self::Leaf(l) => leaf(l),
             Self::Negative(of) => -of.value(leaf),
-            Self::Absolute(of) => of.value(leaf).abs(),
+            Self::Applied(function, of) => function.apply(of.value(leaf)),
             Self::Joined(how, a, b) => how.apply(a.value(leaf), b.value(leaf)),
         }
     }
@@ -60,7 +107,7 @@ impl<L> Number<L> {
     pub(super) fn parts(&self) -> usize {
         match self {
             Self::Constant(_) | Self::Leaf(_) => 1,
-            Self::Negative(of) | Self::Absolute(of) => 1 + of.parts(),
+            Self::Negative(of) | Self::Applied(_, of) => 1 + of.parts(),
             Self::Joined(_, a, b) => 1 + a.parts() + b.parts(),
         }
     }
@@ -71,7 +118,7 @@ impl<L> Number<L> {
             Self::Constant(value) => Number::Constant(value),
             Self::Leaf(l) => leaf(l),
             Self::Negative(of) => Number::Negative(Box::new(of.map(leaf))),
-            Self::Absolute(of) => Number::Absolute(Box::new(of.map(leaf))),
+            Self::Applied(function, of) => Number::Applied(function, Box::new(of.map(leaf))),
             Self::Joined(how, a, b) => {
                 Number::Joined(how, Box::new(a.map(leaf)), Box::new(b.map(leaf)))
             }
@@ -167,7 +214,7 @@ impl<L: fmt::Display> fmt::Display for Number<L> {
         let sign = match self {
             Self::Constant(value) => return f.write_str(&number::format(*value)),
             Self::Leaf(leaf) => return write!(f, "{leaf}"),
-            Self::Absolute(of) => return write!(f, "abs({of})"),
+            Self::Applied(function, of) => return write!(f, "{}({of})", function.name()),
             Self::Negative(of) => {
                 f.write_str("-")?;
                 return part(f, of, of.binding(), self.binding());

@@ -1,6 +1,6 @@
 //! Largest, smallest and mean of what balls and contacts show (Randall 1989, 4.6). Of his eight
-//! contact parameters seven are listed; the share of friction in use and the overlap are added, and
-//! those of the contact area are shown where there is a circle.
+//! parameters of either seven are listed; the speed, the share of friction in use and the overlap are
+//! added, and those of the contact area are shown where there is a circle.
 
 use super::super::figure::figure;
 use super::contacts::Carried;
@@ -25,10 +25,15 @@ pub(super) fn balls(world: &World, range: Option<ParticleRange>) -> Vec<String> 
     if chosen.is_empty() {
         return balls::none(range);
     }
-    let rows: [Parameter<&dyn Fn(usize) -> f64>; 7] = [
+    let speed = |p: usize| {
+        let [x, y] = world.velocity(p).0;
+        (x * x + y * y).sqrt()
+    };
+    let rows: [Parameter<&dyn Fn(usize) -> f64>; 8] = [
         ("angle", "rad", &|p| world.particles().row[p].angle),
         ("vx", "m/s", &|p| world.velocity(p).0[0]),
         ("vy", "m/s", &|p| world.velocity(p).0[1]),
+        ("speed", "m/s", &speed),
         ("spin", "rad/s", &|p| world.velocity(p).1),
         ("Fx", "N", &|p| load(world, p).0[0]),
         ("Fy", "N", &|p| load(world, p).0[1]),
