@@ -32,6 +32,7 @@ pub mod run_folder;
 mod save;
 mod save_clock;
 pub mod saves;
+mod stage_end;
 pub mod start;
 mod steer;
 mod tables;
