@@ -1,5 +1,7 @@
 //! Things that once went wrong, each in its smallest scene.
 
+#[path = "regressions/changes.rs"]
+mod changes;
 mod common;
 mod program;
 #[path = "regressions/programs.rs"]

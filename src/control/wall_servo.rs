@@ -15,6 +15,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{EVERY, Target};
 use crate::engine::World;
+use crate::engine::particles::Row;
 use crate::engine::wall::Wall;
 use crate::measure::wall_force::WallForce;
 
@@ -167,19 +168,30 @@ fn shortest(world: &World) -> f64 {
     LOOKS * EVERY as f64 * world.dt()
 }
 
-/// Unit normal of the wall, from the particles near it to it; of all particles if none is near.
+/// Unit normal of the wall, from the particles that touch it to it; from the nearest if none does. Whoever
+/// is listed beside depends on the halo, which decides nothing.
 fn away(world: &World, w: usize) -> [f64; 2] {
     let wall = &world.walls()[w];
     let [e1, e2] = wall.direction;
     let rows = &world.particles().row;
     let height = |x: [f64; 2]| (x[1] - wall.point[1]) * e1 - (x[0] - wall.point[0]) * e2;
-    let near = world.contacts().walls.iter();
-    let near = near.filter(|pair| pair.wall as usize == w);
-    let mut sum: f64 = near
-        .map(|pair| height(rows[pair.particle as usize].x))
+    let list = world.contacts();
+    let first = list.pairs.len();
+    let at_wall = list.walls.iter().enumerate();
+    let touching = at_wall
+        .filter(|(k, pair)| pair.wall as usize == w && world.geometry(first + k).overlap > 0.0);
+    let mut sum: f64 = touching
+        .map(|(_, pair)| height(rows[pair.particle as usize].x))
         .sum();
     if sum == 0.0 {
-        sum = rows.iter().map(|row| height(row.x)).sum();
+        let gap = |row: &Row| {
+            let d = [row.x[0] - wall.point[0], row.x[1] - wall.point[1]];
+            let along = (d[0] * e1 + d[1] * e2).max(wall.h1).min(wall.h2);
+            let d = [d[0] - along * e1, d[1] - along * e2];
+            (d[0] * d[0] + d[1] * d[1]).sqrt() - row.radius
+        };
+        let nearest = rows.iter().min_by(|a, b| gap(a).total_cmp(&gap(b)));
+        sum = nearest.map_or(0.0, |row| height(row.x));
     }
     if sum >= 0.0 { [e2, -e1] } else { [-e2, e1] }
 }

@@ -91,7 +91,7 @@ pub struct Damping {
     pub local: f64,
     /// Whether dashpots act on the velocity at the boundary instead of the half step before it.
     pub centred: bool,
-    /// Overlap above which a contact is damped critically, over the smallest diameter (Randall 1989,
+    /// Overlap above which a contact is damped critically, over the smaller diameter (Randall 1989,
     /// 6.4.3).
     pub overlap_critical: Option<f64>,
 }

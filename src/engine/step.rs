@@ -254,7 +254,7 @@ impl World {
     }
 
     /// Makes the list; `again`: every contact is prepared again, not only new ones.
-    fn make_list(&mut self, again: bool) {
+    pub(super) fn make_list(&mut self, again: bool) {
         let mut pass = self.take_pass();
         let mut contacts = std::mem::take(&mut self.contacts);
         // A pair whose bond holds is listed, however far apart; where halos differ, some are narrower.

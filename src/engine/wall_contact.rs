@@ -21,7 +21,7 @@ pub struct WallPair {
 }
 
 /// Where such a pair stands in this cycle.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct WallTouch {
     /// Unit vector from the centre to the wall.
     pub e: [f64; 2],
@@ -33,6 +33,19 @@ pub struct WallTouch {
     pub spin: f64,
     /// The contact point on the wall [m].
     pub at: [f64; 2],
+}
+
+impl Default for WallTouch {
+    /// Nowhere near: a pair that was just listed is not touched before it is located.
+    fn default() -> Self {
+        Self {
+            e: [0.0; 2],
+            distance: f64::INFINITY,
+            v: [0.0; 2],
+            spin: 0.0,
+            at: [0.0; 2],
+        }
+    }
 }
 
 /// Which wall of a joint takes the contact instead.
@@ -57,11 +70,7 @@ pub(super) fn locate(
         }
         let corner = wall.end(end);
         if let Some(taker) = taken(walls, pair.wall as usize, end, row.x, share) {
-            let nowhere = WallTouch {
-                distance: f64::INFINITY,
-                ..WallTouch::default()
-            };
-            return Ok((nowhere, Some(taker)));
+            return Ok((WallTouch::default(), Some(taker)));
         }
         let d = [corner[0] - row.x[0], corner[1] - row.x[1]];
         let distance = (d[0] * d[0] + d[1] * d[1]).sqrt();

@@ -60,6 +60,11 @@ impl ForcePolygon {
         }
     }
 
+    /// Whether nothing acts on the particle.
+    pub fn is_empty(&self) -> bool {
+        self.sides.is_empty() && self.body == [0.0; 2]
+    }
+
     /// Corners [N]: the first at zero, then the end of each side, the last that of the body force.
     pub fn corners(&self) -> Vec<[f64; 2]> {
         let forces = self.sides.iter().map(|side| side.force);

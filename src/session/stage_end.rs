@@ -76,8 +76,8 @@ impl Session {
         if count > 0 {
             let name = self.stage_name();
             self.notices.push(format!(
-                "at the end of stage {name} {count} contacts overlap by more than {} of the smaller diameter and are \
-                 damped critically; the column overlap_warnings counts them",
+                "at the end of stage {name} {count} of the contacts overlap by more than {} of the smaller diameter \
+                 and are damped critically: see the column overlap_warnings",
                 per_cent(share)
             ));
         }

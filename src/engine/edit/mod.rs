@@ -96,7 +96,8 @@ impl World {
     pub(super) fn rework(&mut self) {
         self.keeping_velocities(|world| {
             world.pairs = super::pair::PairTable::new(&world.model);
-            world.relist();
+            // Contacts stay prepared as they were until their memory is taken over.
+            world.make_list(false);
             world.replan();
             world.retime();
             world.touch_again();

@@ -155,9 +155,10 @@ impl World {
             let v = from(row.x, near);
             power -= f[0] * v[0] + f[1] * v[1];
         }
-        for (row, body) in particles.row.iter().zip(&particles.body) {
-            let v = from(row.x, centre);
-            power -= body[0] * v[0] + body[1] * v[1];
+        // Weight only: what whoever applies a force does along the flow, the flow takes back.
+        for (p, (row, body)) in particles.row.iter().zip(&particles.body).enumerate() {
+            let (v, applied) = (from(row.x, centre), particles.applied(p));
+            power -= (body[0] - applied[0]) * v[0] + (body[1] - applied[1]) * v[1];
         }
         // Walls stand outside the flow.
         let v = from(near, centre);

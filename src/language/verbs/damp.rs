@@ -36,7 +36,7 @@ pub enum Damper {
     Beta,
     /// Coefficient of restitution of a normal impact [-].
     Restitution,
-    /// Overlap over the smallest diameter above which a contact is damped critically [-].
+    /// Overlap over the smaller diameter above which a contact is damped critically [-].
     Overlap,
     /// Mass-proportional damping [1/s].
     Global,

@@ -14,12 +14,9 @@ pub(super) const ROWS: &[Row<Read>] = &[
     )
     .counted()
     .usual(),
-    regional(
-        "coordination",
-        "-",
-        "coordination number 2C/N, a wall contact counts half",
-        |r| r.assembly().coordination,
-    )
+    regional("coordination", "-", "coordination number 2C/N", |r| {
+        r.assembly().coordination
+    })
     .usual(),
     regional(
         "coordination_mechanical",

@@ -40,6 +40,12 @@ impl Session {
                 ));
             };
             let polygon = ForcePolygon::of(world, p);
+            if polygon.is_empty() {
+                return Err(Refusal::new(
+                    format!("nothing acts on particle {id}: there is nothing to draw"),
+                    "run until it touches something",
+                ));
+            }
             return polygon::svg(&polygon, cycle).map_err(|error| failed(&error));
         }
         let parts = [

@@ -28,7 +28,13 @@ impl App {
                 self.prompt.open_with("");
             }
             self.prompt.paste(piece);
-            let ends = piece.ends_with(['\r', '\n']) && !self.prompt.text().trim().is_empty();
+            let typed = self.prompt.text().trim();
+            let says = !typed.is_empty() && !typed.starts_with('#');
+            let ends = piece.ends_with(['\r', '\n']);
+            if ends && !says {
+                self.prompt.open_with("");
+                continue;
+            }
             if ends && let Typed::Line(line) = self.prompt.enter() {
                 effects.push(self.line(&line));
             }

@@ -46,7 +46,7 @@ fn draw(app: &App, _: PaneId, area: Rect, buffer: &mut Buffer) {
         let text = "n and N select a disc";
         return Lines::new(&app.look, area, buffer).text(text, Role::Label);
     };
-    if polygon.sides.is_empty() && polygon.body == [0.0; 2] {
+    if polygon.is_empty() {
         let text = format!("nothing acts on disc {}", polygon.particle);
         return Lines::new(&app.look, area, buffer).text(&text, Role::Label);
     }

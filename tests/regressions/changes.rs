@@ -1,0 +1,148 @@
+//! Changes in the middle of a run, and what they once broke.
+
+use ballast::engine::World;
+use ballast::engine::setup::{Body, Gravity, Material, Setup, TimeStepChoice};
+use ballast::scene::Scene;
+use ballast::session::{Budget, Options, Session};
+
+use crate::common::{driven, floor, law, material, moving, run, scene, world};
+
+/// Spheres of this law.
+fn spheres(name: &str) -> Setup {
+    let mut setup = scene(Material {
+        density: 1.0,
+        young: Some(1e6),
+        ..material(1.0, 1.0, 0.5)
+    });
+    setup.body = Body::Sphere;
+    setup.law = law(name);
+    setup.time_step = TimeStepChoice::Rayleigh;
+    setup
+}
+
+/// A sphere that falls aslant on a floor, spinning; after some cycles a command that changes nothing.
+fn fall(name: &str, at: Option<u64>) -> ([f64; 2], f64) {
+    let mut setup = spheres(name);
+    setup.gravity = Some(Gravity::Uniform([0.3, -5.0]));
+    setup.particles = vec![moving(0.0, 1.4, 1.0, [0.0, -0.2], 0.3)];
+    setup.walls = vec![floor()];
+    let mut world = world(setup);
+    const CYCLES: u64 = 1500;
+    if let Some(at) = at {
+        run(&mut world, at);
+        world.change_materials(|_| ());
+    }
+    run(&mut world, CYCLES - at.unwrap_or_default());
+    world.settle();
+    let (v, spin) = world.velocity(0);
+    (v, spin)
+}
+
+/// A command lists neighbours anew: a wall that was not near enough before is then listed, and was taken
+/// for touched a radius deep.
+#[test]
+fn a_command_that_changes_nothing_changes_nothing_at_a_wall() {
+    for name in [
+        "mindlin-deresiewicz",
+        "mindlin-deresiewicz-exact",
+        "hertz-mindlin",
+    ] {
+        let undisturbed = fall(name, None);
+        assert!(
+            undisturbed.0[1] > -0.5,
+            "it has met the floor: {undisturbed:?}"
+        );
+        for at in (0..1500).step_by(60) {
+            assert_eq!(fall(name, Some(at)), undisturbed, "{name} at {at}");
+        }
+    }
+}
+
+/// The force stays what it was when springs change; the work that this takes or gives is booked.
+#[test]
+fn other_elastic_constants_keep_forces_and_books() {
+    for name in [
+        "mindlin-deresiewicz-exact",
+        "mindlin-deresiewicz",
+        "hertz-mindlin",
+    ] {
+        for change in [(1e6, 0.0), (8e5, 0.3)] {
+            let mut setup = spheres(name);
+            setup.time_step = TimeStepChoice::Seconds(1e-3);
+            setup.frac = 1.0;
+            setup.particles = vec![
+                driven(0.0, 1.995, 1.0, [0.01, -0.005], 0.0),
+                driven(0.0, 0.0, 1.0, [0.0; 2], 0.0),
+            ];
+            let mut world: World = world(setup);
+            run(&mut world, 100);
+            world.settle();
+            let before = world.pass().springs(0, world.geometry(0).overlap)[1];
+            assert!(before.abs() > 1.0);
+            world.change_materials(|model| {
+                let material = &mut model.materials[0];
+                (material.young, material.poisson) = (Some(change.0), Some(change.1));
+            });
+            run(&mut world, 1);
+            let after = world.pass().springs(0, world.geometry(0).overlap)[1];
+            // One step more: 1e-5 m of some 2e-3 m to sliding. It was .08.
+            assert!(
+                (after / before - 1.0).abs() < 0.015,
+                "{name}: {before} {after}"
+            );
+            run(&mut world, 100);
+            world.settle();
+            // Of the order of the step, as without the change; it was 3e-3.
+            let books = world.bookings().expect("they are kept").energy_error;
+            assert!(books.abs() < 2e-4, "{name} {change:?}: {books:e}");
+        }
+    }
+}
+
+fn session(text: &str, set: &[&str]) -> Session {
+    let set: Vec<String> = set.iter().map(|&option| option.to_owned()).collect();
+    let scene = Scene::parse("p.toml", text, &set).unwrap_or_else(|why| panic!("{why}"));
+    let mut session = Session::open(scene, Options::default()).expect("it begins");
+    session.advance(Budget::default(), false).expect("it runs");
+    session
+}
+
+/// What a flow carries along it carries against the force that is applied to it, too.
+#[test]
+fn applied_forces_do_no_work_along_a_flow() {
+    let text = |flow: &str| {
+        format!(
+            "[model]\nlaw = \"linear\"\nbody = \"disc\"\ntime_step = 1e-3\n\
+             [material.a]\ndensity = 1.0\nnormal_stiffness = 1e4\n\
+             [[particle]]\nat = [3.0, 0.0]\nradius = 1.0\nmaterial = \"a\"\nforce = [1.0, 0.5]\n\
+             [history]\ncolumns = [\"energy_error\"]\n\
+             [[stage]]\nname = \"s\"\ndo = [{flow}]\nmax_cycles = 1000\n"
+        )
+    };
+    for flow in ["", "\"continuum -0.1 0 0 -0.1\"", "\"continuum 0 0.2 0 0\""] {
+        let mut session = session(&text(flow), &[]);
+        let world = session.world_mut();
+        world.settle();
+        let error = world.bookings().expect("they are kept").energy_error;
+        assert!(error.abs() < 1e-9, "{flow}: {error:e}");
+    }
+}
+
+/// A wall under a servo moves towards whatever is nearest, however wide the halo of the list.
+#[test]
+fn a_servo_does_not_depend_on_the_halo() {
+    let text = "[model]\nlaw = \"linear\"\nbody = \"disc\"\n\
+                [material.a]\ndensity = 1.0\nnormal_stiffness = 1e4\n\
+                [[particle]]\nat = [0.0, -1.3]\nradius = 1.0\nmaterial = \"a\"\n\
+                [[particle]]\nat = [0.0, 4.0]\nradius = 1.0\nmaterial = \"a\"\n\
+                [[particle]]\nat = [3.0, 4.0]\nradius = 1.0\nmaterial = \"a\"\n\
+                [[wall]]\nname = \"plate\"\nmaterial = \"a\"\nfrom = [-5.0, 0.0]\nto = [5.0, 0.0]\n\
+                [[stage]]\nname = \"s\"\ndo = [\"wall plate servo 10\"]\nmax_cycles = 100\n";
+    let at = |tol: &str| {
+        let mut session = session(text, &[&format!("model.tol={tol}")]);
+        session.world_mut().walls()[0].velocity
+    };
+    let down = at("0.5");
+    assert!(down[1] < 0.0, "{down:?}");
+    assert_eq!(at("0.1"), down);
+}
