@@ -20,6 +20,9 @@ fn spheres(name: &str) -> Setup {
     setup
 }
 
+/// Cycles of a fall and what comes after it.
+const CYCLES: u64 = 1500;
+
 /// A sphere that falls aslant on a floor, spinning; after some cycles a command that changes nothing.
 fn fall(name: &str, at: Option<u64>) -> ([f64; 2], f64) {
     let mut setup = spheres(name);
@@ -27,7 +30,6 @@ fn fall(name: &str, at: Option<u64>) -> ([f64; 2], f64) {
     setup.particles = vec![moving(0.0, 1.4, 1.0, [0.0, -0.2], 0.3)];
     setup.walls = vec![floor()];
     let mut world = world(setup);
-    const CYCLES: u64 = 1500;
     if let Some(at) = at {
         run(&mut world, at);
         world.change_materials(|_| ());
@@ -52,7 +54,7 @@ fn a_command_that_changes_nothing_changes_nothing_at_a_wall() {
             undisturbed.0[1] > -0.5,
             "it has met the floor: {undisturbed:?}"
         );
-        for at in (0..1500).step_by(60) {
+        for at in (0..CYCLES).step_by(60) {
             assert_eq!(fall(name, Some(at)), undisturbed, "{name} at {at}");
         }
     }

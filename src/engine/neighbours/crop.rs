@@ -94,10 +94,12 @@ mod tests {
             assert_eq!(crowd, (extent, false));
         }
         let thin: Vec<Spot> = (0..900)
-            .map(|k| Spot::new([(k % 30) as f64 * 9.0, (k / 30) as f64 * 7.0], 0.5))
+            .map(|k| Spot::new([f64::from(k % 30) * 9.0, f64::from(k / 30) * 7.0], 0.5))
             .collect();
         let mut extent = Extent::default();
-        thin.iter().for_each(|spot| extent.take_in(spot.x));
+        for spot in &thin {
+            extent.take_in(spot.x);
+        }
         assert_eq!(crowded(&thin, extent, 1.0), (extent, false));
         assert!(!crowded(&[], Extent::default(), 1.0).1);
     }

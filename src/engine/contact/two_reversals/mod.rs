@@ -33,7 +33,7 @@
 //! `tests/two_reversals/histories.rs`), for nested loops (.03 to .07 μN), and most of all for a
 //! reversal while N falls faster (.8 μN), where it can be driven round a cycle that gives energy
 //! ([`WORST_GAIN`]). Two hard edges are BALL's too: pure normal loading leaves no DD only while T is
-//! none ([`NOTHING`]), and a stuck contact moves at full slope while N rises but on its curve while N
+//! none (a billionth of μN), and a stuck contact moves at full slope while N rises but on its curve while N
 //! falls, however little.
 
 mod curves;
