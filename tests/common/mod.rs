@@ -63,6 +63,16 @@ pub(crate) fn scene(material: Material) -> Setup {
 }
 
 /// A law of the list.
+/// The same of spheres under a law with elastic constants, at a tenth of the Rayleigh step.
+pub(crate) fn spheres(name: &str, material: Material) -> Setup {
+    Setup {
+        body: Body::Sphere,
+        law: law(name),
+        time_step: TimeStepChoice::Rayleigh,
+        ..scene(material)
+    }
+}
+
 pub(crate) fn law(name: &str) -> LawChoice {
     LawChoice::named(name).expect("it is in the list")
 }

@@ -3,9 +3,9 @@
 use ballast::engine::contact::Normal;
 use ballast::engine::contact::incremental_hertz::{IncrementalHertz, SummedHertz};
 use ballast::engine::neighbours::Status;
-use ballast::engine::setup::{Body, Material, NormalForm, TimeStepChoice, Unloading};
+use ballast::engine::setup::{Material, NormalForm, Unloading};
 
-use crate::common::{law, material, moving, particle, run, scene, world};
+use crate::common::{material, moving, particle, run, spheres, world};
 use crate::impact::{Form, Impact};
 use crate::spheres::pair;
 
@@ -47,16 +47,14 @@ fn force_drifts_over_cycles_of_overlap() {
 #[test]
 fn springs_beside_a_used_up_sum_are_booked() {
     for unloading in [Unloading::Rescale, Unloading::Keep] {
-        let mut setup = scene(Material {
+        let soft = Material {
             young: Some(7e7),
             rolling_friction: 0.1,
             ..material(1.0, 1.0, 0.5)
-        });
-        setup.body = Body::Sphere;
-        setup.law = law("hertz-mindlin");
+        };
+        let mut setup = spheres("hertz-mindlin", soft);
         setup.normal = NormalForm::Incremental;
         setup.unloading = unloading;
-        setup.time_step = TimeStepChoice::Rayleigh;
         setup.particles = vec![
             moving(0.0, 0.0, 0.01, [3.0, 2.0], 0.0),
             particle(0.0205, 0.0, 0.01),

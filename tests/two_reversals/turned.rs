@@ -3,9 +3,9 @@
 
 use ballast::engine::World;
 use ballast::engine::edit::Motion;
-use ballast::engine::setup::{Body, Material, TimeStepChoice};
+use ballast::engine::setup::{Material, TimeStepChoice};
 
-use crate::common::{driven, law, material, run, scene, world};
+use crate::common::{driven, material, run, spheres, world};
 
 /// Radius of both [m].
 const RADIUS: f64 = 0.01;
@@ -16,13 +16,12 @@ const SPEED: f64 = 4e-3;
 /// Two steel spheres that touch in this direction [rad] after a long way, the second on its way to the
 /// first.
 fn pressing(name: &str, angle: f64, far: f64) -> World {
-    let mut setup = scene(Material {
+    let steel = Material {
         density: 7800.0,
         young: Some(210e9),
         ..material(1.0, 1.0, 0.3)
-    });
-    setup.body = Body::Sphere;
-    setup.law = law(name);
+    };
+    let mut setup = spheres(name, steel);
     setup.time_step = TimeStepChoice::Seconds(1e-6);
     setup.frac = 1.0;
     let (s, c) = angle.sin_cos();

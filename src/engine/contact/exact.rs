@@ -228,7 +228,7 @@ impl<const M: usize> Tangential for ExactShear<M> {
         if self.partial.is_like(&before.partial) {
             *memory
         } else {
-            self.seed(overlap, before.held(memory))
+            self.seed(overlap, self.held(memory))
         }
     }
 

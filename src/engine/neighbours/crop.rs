@@ -1,29 +1,31 @@
 //! Where the crowd is: a grain that has left it must not stretch the boxes of all others.
 
+use super::level::BOXES_PER_PARTICLE;
 use super::spot::Spot;
 use crate::engine::extent::Extent;
 
-/// An extent with room for fewer boxes per particle than this, each as large as particles reach in the mean
-/// square, is left as it is: there is nothing to gain.
-const SPARSE: f64 = 4.0;
+/// An extent of so many boxes per particle, each as large as particles reach in the mean square, is left as
+/// it is: twice the limit, below which boxes become no larger than by half.
+const SPARSE: f64 = 2.0 * BOXES_PER_PARTICLE as f64;
 
-/// Particles that are looked at.
+/// Particles that are looked at, to find the outer tenths: to a fiftieth, one standard deviation.
 const LOOKED_AT: usize = 256;
 
 /// Share of them that is left out at either end, and that may be far away.
 const TAIL: f64 = 0.1;
 
-/// Whether and what rectangle of the extent holds the crowd [m]: between the outer tenths, and as much to
-/// either side. True if some are outside.
-pub(super) fn crowded(spots: &[Spot], extent: Extent, mean_square: f64) -> (Extent, bool) {
-    // With a box around, so that a line has an area, too.
+/// The part of the extent [m] to lay boxes over, if not all of it: between the outer tenths, and as much to
+/// either side, which holds all of an assembly that is spread evenly. Who is outside counts as in the nearest
+/// box.
+pub(super) fn crowd(spots: &[Spot], extent: Extent, mean_square: f64) -> Option<Extent> {
+    // As if a box wider, so that those in a line take some, too.
     let area = |extent: &Extent| {
         let sides = extent.size().map(|side| (side * side + mean_square).sqrt());
         sides[0] * sides[1]
     };
     let whole = area(&extent);
     if spots.is_empty() || whole <= SPARSE * spots.len() as f64 * mean_square {
-        return (extent, false);
+        return None;
     }
     let every = spots.len().div_ceil(LOOKED_AT);
     let mut crowd = extent;
@@ -40,42 +42,41 @@ pub(super) fn crowded(spots: &[Spot], extent: Extent, mean_square: f64) -> (Exte
         beyond(0) || beyond(1)
     };
     let outside = spots.iter().filter(is_outside).count() as f64;
-    // At worst all outside share a box and are compared with each other; without a crop so many of the crowd
-    // share each of theirs.
+    // Pairs that are looked at, but for a factor that is the same: at worst all outside share a box, against so
+    // many times more of the crowd in each of theirs.
     let larger = whole / area(&crowd);
-    if larger > 2.0 && outside * outside < larger * spots.len() as f64 {
-        (crowd, true)
-    } else {
-        (extent, false)
-    }
+    (larger > 2.0 && outside * outside < larger * spots.len() as f64).then_some(crowd)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// The extent and the crowd of a square of 30 by 30, of which the last `few` are moved away by this.
-    fn square(few: usize, away: [f64; 2]) -> (Extent, (Extent, bool)) {
+    fn spots(at: impl Fn(usize) -> [f64; 2]) -> (Vec<Spot>, Extent) {
+        let spots: Vec<Spot> = (0..900).map(|k| Spot::new(at(k), 0.5)).collect();
         let mut extent = Extent::default();
-        let spots: Vec<Spot> = (0..900)
-            .map(|k| {
-                let mut x = [(k % 30) as f64, (k / 30) as f64];
-                if k >= 900 - few {
-                    x = [0, 1].map(|axis| x[axis] + away[axis]);
-                }
-                extent.take_in(x);
-                Spot::new(x, 0.5)
-            })
-            .collect();
-        (extent, crowded(&spots, extent, 1.0))
+        for spot in &spots {
+            extent.take_in(spot.x);
+        }
+        (spots, extent)
+    }
+
+    /// The extent and the crowd of a square of 30 by 30, of which the last `few` are moved away by this.
+    fn square(few: usize, away: [f64; 2]) -> (Extent, Option<Extent>) {
+        let (spots, extent) = spots(|k| {
+            let x = [(k % 30) as f64, (k / 30) as f64];
+            let moved = [0, 1].map(|axis| x[axis] + away[axis]);
+            if k < 900 - few { x } else { moved }
+        });
+        (extent, crowd(&spots, extent, 1.0))
     }
 
     #[test]
-    fn one_that_has_left_does_not_count() {
+    fn those_who_have_left_do_not_count() {
         for away in [[300.0, 0.0], [0.0, -1e6], [-50.0, 4000.0]] {
             for few in [1, 25] {
-                let (extent, (crowd, open)) = square(few, away);
-                assert!(open, "{few} {away:?}");
+                let (extent, crowd) = square(few, away);
+                let crowd = crowd.unwrap_or_else(|| panic!("{few} {away:?}"));
                 for k in 0..2 {
                     // All who stayed are inside, with no more room than as much again to either side.
                     assert!(crowd.low[k] <= 0.0 && crowd.high[k] >= 28.0, "{crowd:?}");
@@ -86,21 +87,22 @@ mod tests {
         }
     }
 
+    /// A twelfth in one box would be compared with each other: that pays only where they are so far away that
+    /// the boxes of all others would be very large.
     #[test]
-    fn those_who_stand_thinly_or_in_groups_all_count() {
-        // Of the last but one a twelfth went not far: in one box together they would cost more than they do now.
-        for (few, away) in [(0, [0.0; 2]), (75, [90.0, 0.0]), (450, [1e4, 0.0])] {
-            let (extent, crowd) = square(few, away);
-            assert_eq!(crowd, (extent, false));
+    fn a_group_counts_unless_it_is_far_away() {
+        assert!(square(5, [200.0, 0.0]).1.is_some());
+        assert!(square(75, [200.0, 0.0]).1.is_none());
+        assert!(square(75, [2000.0, 0.0]).1.is_some());
+    }
+
+    #[test]
+    fn those_who_stand_thinly_or_in_halves_all_count() {
+        for (few, away) in [(0, [0.0; 2]), (450, [1e4, 0.0])] {
+            assert_eq!(square(few, away).1, None);
         }
-        let thin: Vec<Spot> = (0..900)
-            .map(|k| Spot::new([f64::from(k % 30) * 9.0, f64::from(k / 30) * 7.0], 0.5))
-            .collect();
-        let mut extent = Extent::default();
-        for spot in &thin {
-            extent.take_in(spot.x);
-        }
-        assert_eq!(crowded(&thin, extent, 1.0), (extent, false));
-        assert!(!crowded(&[], Extent::default(), 1.0).1);
+        let (thin, extent) = spots(|k| [(k % 30) as f64 * 9.0, (k / 30) as f64 * 7.0]);
+        assert_eq!(crowd(&thin, extent, 1.0), None);
+        assert_eq!(crowd(&[], Extent::default(), 1.0), None);
     }
 }

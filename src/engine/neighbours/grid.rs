@@ -106,7 +106,8 @@ impl Grid {
         let count = spots.len();
         let [least, most] = bounds.radii.map(|radius| 2.0 * radius + tol);
         let mean_square = bounds.mean_square_of_reach(count, tol);
-        let (extent, open) = crop::crowded(spots, bounds.extent, mean_square);
+        let crowd = crop::crowd(spots, bounds.extent, mean_square);
+        let extent = crowd.unwrap_or(bounds.extent);
         let span = extent.size();
         (self.low, self.tol, self.least) = (extent.low, tol, least);
         self.levels.clear();
@@ -124,7 +125,8 @@ impl Grid {
         }
         let mut first = 0;
         for (size, &(count, largest)) in sizes.iter().enumerate().filter(|(_, size)| size.0 > 0) {
-            let level = Level::new(first, (span, open), count, [largest, tol]);
+            let mut level = Level::new(first, span, count, largest, tol);
+            level.open = crowd.is_some();
             first = level.end();
             self.level[size] = self.levels.len() as u8;
             self.levels.push(level);

@@ -18,7 +18,7 @@ pub(super) struct Level {
     /// Largest radius on it [m].
     pub(super) largest: f64,
     /// Whether some lie outside, and count as in the nearest box.
-    open: bool,
+    pub(super) open: bool,
 }
 
 /// At most so many boxes per particle: far-flung assemblies get larger boxes.
@@ -32,14 +32,9 @@ const NARROW: [usize; 2] = [4, 2];
 const SPARE: f64 = 1e-6;
 
 impl Level {
-    /// Boxes over a rectangle of this span [m], of which some are outside if it is `open`, for so many
-    /// particles of up to this radius [m] that are neighbours within `tol` [m].
-    pub(super) fn new(
-        first: usize,
-        (span, open): ([f64; 2], bool),
-        count: usize,
-        [largest, tol]: [f64; 2],
-    ) -> Self {
+    /// Boxes over a rectangle of this span [m] for so many particles of up to this radius [m] that
+    /// are neighbours within `tol` [m].
+    pub(super) fn new(first: usize, span: [f64; 2], count: usize, largest: f64, tol: f64) -> Self {
         let least = (2.0 * largest + tol) * (1.0 + SPARE);
         let limit = Self::limit(count) as f64;
         let too_many = |size: f64, aside: usize| {
@@ -61,7 +56,7 @@ impl Level {
             columns: (span[0] * per_metre[0]) as usize + 1,
             rows: (span[1] * per_metre[1]) as usize + 1,
             largest,
-            open,
+            open: false,
         }
     }
 
