@@ -383,8 +383,8 @@ struct Lammps {
 
 /// Words for what can be drawn of a checkpoint.
 const PICTURES: [&str; 5] = {
-    let [(a, _), (b, _), (c, _), (d, _), (e, _)] = PictureOf::ALL;
-    [a, b, c, d, e]
+    let [a, b, c, d, e] = PictureOf::ALL;
+    [a.word(), b.word(), c.word(), d.word(), e.word()]
 };
 
 /// Options of `verify`.

@@ -88,8 +88,8 @@ fn picture(options: &Plot, path: &Path) -> Result<String, Refusal> {
         ));
     }
     let word = options.picture.as_deref().unwrap_or("assembly");
-    let of = PictureOf::ALL.iter().find(|(known, _)| *known == word);
-    let of = of.map_or(PictureOf::Assembly(Layers::NONE), |(_, of)| *of);
+    let of = PictureOf::ALL.into_iter().find(|of| of.word() == word);
+    let of = of.unwrap_or(PictureOf::Assembly(Layers::NONE));
     let failed = |error: RunError| {
         let said = error.to_string();
         let (message, remedy) = said

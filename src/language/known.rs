@@ -93,9 +93,12 @@ impl Known {
                 self.wall(name, line)
             }
             Command::Print(
-                Printout::Measure(_, Where::Region(region)) | Printout::Profile(Some(region), _),
+                Printout::Measure(_, Where::Region(region))
+                | Printout::Profile(Where::Region(region), _),
             )
-            | Command::Export(Export::Profile(Some(region), _), _) => self.region(region, line),
+            | Command::Export(Export::Profile(Where::Region(region), _), _) => {
+                self.region(region, line)
+            }
             Command::History(HistoryChange::Columns(columns)) => columns
                 .iter()
                 .try_for_each(|column| column.check(&self.names, place(line, &column.name()))),

@@ -14,6 +14,7 @@ pub mod mistake;
 pub mod name;
 pub mod number;
 pub mod observable;
+pub mod place;
 pub mod verbs;
 pub mod words;
 

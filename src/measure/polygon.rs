@@ -18,6 +18,17 @@ pub struct Side {
     pub force: [f64; 2],
 }
 
+impl Side {
+    /// Magnitude of the force [N].
+    pub fn size(&self) -> f64 {
+        magnitude(self.force)
+    }
+}
+
+fn magnitude([x, y]: [f64; 2]) -> f64 {
+    (x * x + y * y).sqrt()
+}
+
 /// The polygon of a particle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ForcePolygon {
@@ -75,6 +86,27 @@ impl ForcePolygon {
             corners.push(at);
         }
         corners
+    }
+
+    /// Magnitude of weight and applied force [N].
+    pub fn body_size(&self) -> f64 {
+        magnitude(self.body)
+    }
+
+    /// Magnitude of the out-of-balance force [N].
+    pub fn residual(&self) -> f64 {
+        magnitude(self.gap())
+    }
+
+    /// Lower and upper corner of a box around it [N].
+    pub fn bounds(&self) -> [[f64; 2]; 2] {
+        let corners = self.corners();
+        let all = |pick: fn(f64, f64) -> f64| {
+            let join = |a: [f64; 2], b: &[f64; 2]| [pick(a[0], b[0]), pick(a[1], b[1])];
+            // The first corner is zero.
+            corners.iter().fold([0.0; 2], join)
+        };
+        [all(f64::min), all(f64::max)]
     }
 
     /// Out-of-balance force [N]: from the first corner to the last.

@@ -5,9 +5,11 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use super::execute::{Reply, Request};
+use super::places::{region_at, regions_of};
 use super::{Refusal, RunError, Session, tables};
 use crate::language::command::Export;
 use crate::language::{Command, Known};
+use crate::measure::sample::Sample;
 use crate::record::error::{Attempt, RecordError};
 use crate::record::journal::{Event, EventKind};
 use crate::scene::Origin;
@@ -53,11 +55,11 @@ impl Session {
                 reply.lines.extend(deck.notices);
                 Ok(reply)
             }
-            Command::Export(Export::Profile(region, rings), file) => {
-                let sample = self.sample();
-                let named = region.as_ref().and_then(|name| sample.region(name));
-                let region = named.unwrap_or_else(|| sample.regional());
-                write(tables::profile(region, *rings).bytes(), file, cycle)
+            Command::Export(Export::Profile(place, rings), file) => {
+                let regions = regions_of(place, &self.scene.regions);
+                let sample = Sample::over(&mut self.world, &regions, Some(&self.reference));
+                let table = tables::profile(region_at(&sample, place), *rings);
+                write(table.bytes(), file, cycle)
             }
             Command::Journal(file) => {
                 let mut journal = self.journal.clone();

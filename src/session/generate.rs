@@ -5,7 +5,7 @@ use super::change::material;
 use super::figure::figure;
 use crate::engine::World;
 use crate::engine::setup::{ParticleSetup, WallSetup};
-use crate::language::command::{Generate, GeneratePlace, MOST_GENERATED};
+use crate::language::command::{Generate, MOST_GENERATED, Place};
 use crate::scene::{Around, places};
 
 /// Adds them; says which.
@@ -60,15 +60,15 @@ pub(super) fn generate(world: &mut World, seed: u64, new: &Generate) -> Result<S
 }
 
 /// Whether new particles cannot meet images of each other: their region lies in the cell.
-fn lies_in_cell(world: &World, place: GeneratePlace) -> bool {
+fn lies_in_cell(world: &World, place: Place) -> bool {
     let Some(cell) = world.cell() else {
         return true;
     };
     let [min, max] = match place {
-        GeneratePlace::Circle { centre, radius } => {
+        Place::Circle { centre, radius } => {
             [centre.map(|x| x - radius), centre.map(|x| x + radius)]
         }
-        GeneratePlace::Rectangle { min, max } => [min, max],
+        Place::Rectangle { min, max } => [min, max],
     };
     let origin = world.origin();
     let corners = [min, max, [min[0], max[1]], [max[0], min[1]]];

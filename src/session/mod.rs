@@ -21,6 +21,7 @@ pub mod lammps;
 mod opening;
 mod pacing;
 pub(crate) mod pictures;
+mod places;
 mod print;
 mod queue;
 mod rate;

@@ -4,6 +4,8 @@ use super::Session;
 use super::clock::Clock;
 use super::course::Phase;
 use super::figure::{figure, per_cent};
+use crate::language::Expression;
+use crate::measure::columns::Column;
 use crate::measure::overlap::large_overlaps;
 
 impl Session {
@@ -18,8 +20,9 @@ impl Session {
             self.course.phase = Phase::Over;
             if done == 0 {
                 let stage = &self.scene.stages[self.course.stage];
-                let strains = stage.until.as_ref().map(ToString::to_string);
-                let hint = if strains.is_some_and(|until| until.contains("strain")) {
+                let columns = stage.until.as_ref().map(Expression::columns);
+                let is_strain = |column: &Column| column.name().contains("strain");
+                let hint = if columns.is_some_and(|columns| columns.iter().any(is_strain)) {
                     " (strains count from the start, or from the last `reference`)"
                 } else {
                     ""

@@ -2,8 +2,8 @@
 
 use ballast::engine::setup::Gravity;
 use ballast::language::command::{
-    Bond, ContactFile, Create, Damper, DumpOf, Export, FrictionOf, Generate, GeneratePlace, Goal,
-    Grow, HistoryChange, Layers, Measure, ParticleChange, ParticleRange, PictureOf, Printout,
+    Bond, ContactFile, Create, Damper, DumpOf, Export, FrictionOf, Generate, Goal, Grow,
+    HistoryChange, Layers, Measure, ParticleChange, ParticleRange, PictureOf, Place, Printout,
     Property, Solve, WallChange, Where,
 };
 use ballast::language::{COMMANDS, Command, Expression, Known, Observable};
@@ -124,22 +124,28 @@ fn about_bodies() -> impl Strategy<Value = Command> {
     ]
 }
 
-fn place() -> impl Strategy<Value = GeneratePlace> {
-    let circle = (vector(), positive())
-        .prop_map(|(centre, radius)| GeneratePlace::Circle { centre, radius });
+fn place() -> impl Strategy<Value = Place> {
+    let circle =
+        (vector(), positive()).prop_map(|(centre, radius)| Place::Circle { centre, radius });
     let corners = (vector(), positive(), positive());
     let rectangle = corners
-        .prop_map(|(min, width, height)| GeneratePlace::Rectangle {
+        .prop_map(|(min, width, height)| Place::Rectangle {
             min,
             max: [min[0] + width, min[1] + height],
         })
         .prop_filter("an area", |place| match place {
-            GeneratePlace::Rectangle { min, max } => {
-                (0..2).all(|k| min[k] < max[k] && max[k].is_finite())
-            }
-            GeneratePlace::Circle { .. } => true,
+            Place::Rectangle { min, max } => (0..2).all(|k| min[k] < max[k] && max[k].is_finite()),
+            Place::Circle { .. } => true,
         });
     prop_oneof![circle, rectangle]
+}
+
+fn somewhere() -> impl Strategy<Value = Where> {
+    prop_oneof![
+        Just(Where::Default),
+        wall().prop_map(Where::Region),
+        place().prop_map(Where::Here),
+    ]
 }
 
 fn generate() -> impl Strategy<Value = Generate> {
@@ -241,15 +247,11 @@ fn about_records() -> impl Strategy<Value = Command> {
         ]),
         (
             prop::sample::select(Measure::all().collect::<Vec<_>>()),
-            prop_oneof![
-                Just(Where::Default),
-                wall().prop_map(Where::Region),
-                place().prop_map(Where::Place),
-            ]
+            somewhere()
         )
             .prop_map(|(measure, place)| Printout::Measure(measure, place)),
-        (prop::option::of(wall()), prop::option::of(1..10_000_u64))
-            .prop_map(|(region, rings)| Printout::Profile(region, rings)),
+        (somewhere(), prop::option::of(1..10_000_u64))
+            .prop_map(|(place, rings)| Printout::Profile(place, rings)),
         (1..=u32::MAX).prop_map(Printout::Polygon),
     ];
     let verbs: Vec<&'static str> = COMMANDS.iter().map(|card| card.name).collect();
@@ -270,7 +272,7 @@ fn about_records() -> impl Strategy<Value = Command> {
 }
 
 fn export() -> impl Strategy<Value = Export> {
-    let profile = (prop::option::of(wall()), prop::option::of(1..10_000_u64));
+    let profile = (somewhere(), prop::option::of(1..10_000_u64));
     let of_contact = [
         ContactFile::Path,
         ContactFile::Traction,
@@ -280,11 +282,11 @@ fn export() -> impl Strategy<Value = Export> {
         Just(Export::History),
         Just(Export::All(DumpOf::Particles)),
         Just(Export::All(DumpOf::Contacts)),
-        profile.prop_map(|(region, rings)| Export::Profile(region, rings)),
+        profile.prop_map(|(place, rings)| Export::Profile(place, rings)),
         prop::sample::select(of_contact.to_vec()).prop_map(Export::Contact),
         Just(Export::Vtk(DumpOf::Particles)),
         Just(Export::Vtk(DumpOf::Contacts)),
-        prop::sample::select(PictureOf::ALL.to_vec()).prop_map(|(_, of)| Export::Picture(of)),
+        prop::sample::select(PictureOf::ALL.to_vec()).prop_map(Export::Picture),
         (any::<bool>(), any::<bool>()).prop_map(|(numbers, velocities)| {
             let layers = Layers {
                 numbers,

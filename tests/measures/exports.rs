@@ -323,6 +323,7 @@ fn numbers_and_velocities_are_laid_over() {
 /// A place that the preset does not know: all of the pile, half of it, nothing.
 #[test]
 fn places_can_be_measured_that_have_no_name() {
+    let folder = tempfile::tempdir().unwrap();
     let mut session = pile(&[]);
     advance(&mut session, 9000);
     let mut print = |place: &str| {
@@ -335,6 +336,24 @@ fn places_can_be_measured_that_have_no_name() {
     let [half, none] = [" in circle 1.5 0 1", " in circle 0 1e3 1"].map(&mut print);
     assert_ne!(half[1..], all[1..]);
     assert!(none[0].ends_with(", 0 particles"), "{}", none[0]);
+    assert!(
+        all[0].contains("of everything, 105 particles"),
+        "{}",
+        all[0]
+    );
+    assert!(!around[0].contains("region"), "{}", around[0]);
+    let rings = session
+        .type_line("print profile in circle 0 0.5 1 7")
+        .unwrap();
+    assert!(
+        rings.lines[0].contains("circle 0 0.5 1"),
+        "{:?}",
+        rings.lines
+    );
+    let file = folder.path().join("rings.csv");
+    let line = format!("export profile {} in circle 0 0.5 1 7", file.display());
+    tell(&mut session, &line);
+    assert_eq!(fs::read_to_string(&file).unwrap().lines().count(), 8);
     let refusal = session.type_line("print stress in circle 0 0").unwrap_err();
     assert!(refusal.to_string().contains("the radius of the circle"));
 }
@@ -358,6 +377,23 @@ fn force_polygons_are_drawn() {
         assert!(svg.contains(&format!("\n{}\n", side.by)), "{}", side.by);
     }
     assert!(svg.contains("\nweight, applied\n") && svg.contains("out of balance"));
+    session.type_line("gravity none").unwrap();
+    advance(&mut session, 1);
+    let mut flying = 0;
+    for id in 1..=105 {
+        let world = session.world_mut();
+        let p = world.particles().index(id).unwrap();
+        let nothing = ForcePolygon::of(world, p).is_empty();
+        flying += u32::from(nothing);
+        let line = format!("export svg polygon {id} {}", file.display());
+        let drawn = session.type_line(&line).map_err(|why| why.to_string());
+        assert_eq!(
+            drawn.is_err_and(|why| why.contains("nothing acts")),
+            nothing,
+            "{id}"
+        );
+    }
+    assert!(flying > 0 && flying < 105);
     let refusal = session.type_line("export svg polygon 7000 p.svg");
     assert!(refusal.unwrap_err().to_string().contains("7000"));
 }

@@ -187,6 +187,19 @@ fn what_a_stage_ends_with_is_said() {
     assert!(printed.contains("stage none ended at once"), "{printed}");
     assert!(!printed.contains("stage some ended at once"), "{printed}");
     assert!(!printed.contains("frac_limit"), "{printed}");
+    assert!(!printed.contains("overlap"), "{printed}");
+    assert!(!printed.contains("strains"), "{printed}");
+    // The overlap of .004 m is .02 of the diameter.
+    let deep = text.replace(
+        "frac = 0.1",
+        "frac = 0.1\n[damping]\noverlap_critical = 0.019",
+    );
+    fs::write(folder.path().join("p.toml"), deep).expect("it can be written");
+    let printed = said(&ballast(folder.path(), &["run", "p.toml"]));
+    assert!(
+        printed.contains("at the end of stage some 2 of the contacts overlap by more than 1.9 %"),
+        "{printed}"
+    );
     let text = text.replace("frac = 0.1", "frac = 0.9");
     fs::write(folder.path().join("p.toml"), text).expect("it can be written");
     let printed = said(&ballast(folder.path(), &["run", "p.toml"]));

@@ -209,12 +209,14 @@ fn another_run_keeps_its_files_elsewhere() {
     assert!(text.ends_with("is kept in /home/someone/.local/state/ballast/runs/0001"));
 }
 
-/// What is pasted is executed line by line, as if typed; a line without an end waits.
+/// What is pasted is executed line by line, as if typed behind what stands there; remarks are passed over, and
+/// a line without an end waits.
 #[test]
 fn pasted_lines_stay_apart() {
     for ends in ["\r", "\n", "\r\n"] {
         let mut app = app(LOOK);
-        let text = ["print energy", "", "print step", "cyc"].join(ends);
+        app.prompt.open_with("pri");
+        let text = ["nt energy", "", "# a remark", "print step", "cyc"].join(ends);
         let orders = app.paste(&text);
         let lines: Vec<&str> = orders
             .iter()

@@ -2,11 +2,11 @@
 
 use std::fmt;
 
-use super::generate::{GeneratePlace, place};
 use crate::language::command::Command;
 use crate::language::list::Card;
 use crate::language::mistake::Mistake;
 use crate::language::number;
+use crate::language::place::Place;
 use crate::language::words::Words;
 
 /// Row in the list.
@@ -32,7 +32,7 @@ pub struct Bond {
     /// Largest gap [m]; `None`: a millionth of the smaller radius.
     pub gap: Option<f64>,
     /// Where; `None`: everywhere.
-    pub place: Option<GeneratePlace>,
+    pub place: Option<Place>,
 }
 
 fn parse(words: &mut Words<'_>) -> Result<Command, Mistake> {
@@ -44,7 +44,7 @@ fn parse(words: &mut Words<'_>) -> Result<Command, Mistake> {
     while let Some(option) = words.next_option(&mut left)? {
         match option {
             "gap" => bond.gap = Some(words.not_negative("the gap")?),
-            _ => bond.place = Some(place(words)?),
+            _ => bond.place = Some(Place::parse(words)?),
         }
     }
     Ok(Command::Bond(bond))

@@ -4,6 +4,7 @@ use super::print::{profile, profile_words};
 use crate::language::command::Command;
 use crate::language::list::Card;
 use crate::language::mistake::Mistake;
+use crate::language::place::Where;
 use crate::language::words::{Words, quoted};
 use std::fmt;
 
@@ -11,7 +12,7 @@ use std::fmt;
 pub const CARD: Card = Card {
     name: "export",
     aliases: &[],
-    usage: "export csv FILE | particles FILE | contacts FILE | profile FILE [REGION] [RINGS] | \
+    usage: "export csv FILE | particles FILE | contacts FILE | profile FILE [PLACE] [RINGS] | \
             path FILE | traction FILE | vtk particles|contacts FILE | \
             svg assembly FILE [numbers] [velocities] | svg polygon I FILE | \
             svg contact|path|mohr|histogram|rose FILE | lammps FOLDER [nearest]",
@@ -45,14 +46,14 @@ pub const CARD: Card = Card {
 };
 
 /// What to write.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Export {
     /// The history.
     History,
     /// All particles or all contacts as they are now.
     All(DumpOf),
-    /// Porosity by distance from the middle of a region, in so many rings.
-    Profile(Option<String>, Option<u64>),
+    /// Porosity by distance from the middle of a place, in so many rings.
+    Profile(Where, Option<u64>),
     /// The contact that is followed.
     Contact(ContactFile),
     /// All particles or all contacts as VTK.
@@ -81,7 +82,7 @@ pub enum PictureOf {
 }
 
 /// What is laid over a picture of the assembly.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Layers {
     /// The numbers of the particles.
     pub numbers: bool,
@@ -119,21 +120,24 @@ impl fmt::Display for Layers {
 }
 
 impl PictureOf {
-    /// Those of a whole sample, with their words.
-    pub const ALL: [(&str, Self); 5] = [
-        ("assembly", Self::Assembly(Layers::NONE)),
-        ("path", Self::StressPath),
-        ("mohr", Self::Mohr),
-        ("histogram", Self::Histogram),
-        ("rose", Self::Rose),
+    /// Those that need no particle to be named.
+    pub const ALL: [Self; 5] = [
+        Self::Assembly(Layers::NONE),
+        Self::StressPath,
+        Self::Mohr,
+        Self::Histogram,
+        Self::Rose,
     ];
 
     /// Its word.
-    pub fn word(self) -> &'static str {
-        let found = Self::ALL.iter().find(|(_, of)| *of == self);
+    pub const fn word(self) -> &'static str {
         match self {
+            Self::Assembly(_) => "assembly",
+            Self::StressPath => "path",
+            Self::Mohr => "mohr",
+            Self::Histogram => "histogram",
+            Self::Rose => "rose",
             Self::Polygon(_) => "polygon",
-            _ => found.map_or("assembly", |(word, _)| word),
         }
     }
 }
@@ -195,11 +199,11 @@ fn parse(words: &mut Words<'_>) -> Result<Command, Mistake> {
             words.keyword(&["particles", "contacts"])?,
         ))),
         "svg" => {
-            let [a, b, c, d, e] = PictureOf::ALL;
-            let of = words.keyword(&["contact", "polygon", a.0, b.0, c.0, d.0, e.0])?;
-            let picture = PictureOf::ALL.into_iter().find(|(word, _)| *word == of);
+            let [a, b, c, d, e] = PictureOf::ALL.map(PictureOf::word);
+            let of = words.keyword(&["contact", "polygon", a, b, c, d, e])?;
+            let picture = PictureOf::ALL.into_iter().find(|known| known.word() == of);
             Some(match picture {
-                Some((_, of)) => Export::Picture(of),
+                Some(of) => Export::Picture(of),
                 None if of == "polygon" => Export::Picture(PictureOf::Polygon(words.particle()?)),
                 None => Export::Contact(ContactFile::Picture),
             })
@@ -219,8 +223,8 @@ fn parse(words: &mut Words<'_>) -> Result<Command, Mistake> {
     let what = match what {
         "csv" => Export::History,
         "profile" => {
-            let (region, rings) = profile(words)?;
-            Export::Profile(region, rings)
+            let (place, rings) = profile(words)?;
+            Export::Profile(place, rings)
         }
         "path" => Export::Contact(ContactFile::Path),
         "lammps" => Export::Lammps(words.optional_keyword(&["nearest"])?.is_some()),
@@ -245,8 +249,8 @@ pub(crate) fn line(what: &Export, file: &str) -> String {
         Export::Picture(of) => format!("svg {} {file}", of.word()),
         Export::Lammps(false) => format!("lammps {file}"),
         Export::Lammps(true) => format!("lammps {file} nearest"),
-        Export::Profile(region, rings) => {
-            format!("profile {file}{}", profile_words(region.as_ref(), *rings))
+        Export::Profile(place, rings) => {
+            format!("profile {file}{}", profile_words(place, *rings))
         }
     }
 }

@@ -1,11 +1,11 @@
 //! `generate`: adds particles at random without contacts.
 
-use crate::language::command::{Command, vector};
+use crate::language::command::Command;
 use crate::language::list::Card;
 use crate::language::mistake::Mistake;
 use crate::language::number;
+use crate::language::place::Place;
 use crate::language::words::{Words, quoted};
-use crate::measure::region::Shape;
 use std::fmt;
 
 /// Row in the list.
@@ -30,32 +30,13 @@ pub const CARD: Card = Card {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Generate {
     /// Where.
-    pub place: GeneratePlace,
+    pub place: Place,
     /// Radius [m].
     pub radius: f64,
     /// How many; `None`: as many as fit.
     pub count: Option<u64>,
     /// Name of the material; `None`: the first of the scene.
     pub material: Option<String>,
-}
-
-/// A part of the plane.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum GeneratePlace {
-    /// A circle.
-    Circle {
-        /// Its centre [m].
-        centre: [f64; 2],
-        /// Its radius [m].
-        radius: f64,
-    },
-    /// A rectangle along the axes.
-    Rectangle {
-        /// Lower left corner [m].
-        min: [f64; 2],
-        /// Upper right corner [m].
-        max: [f64; 2],
-    },
 }
 
 /// Most particles that are generated at once.
@@ -65,8 +46,8 @@ impl Generate {
     /// More than can fit: each disc takes at least 2√3 R², but for those at the border.
     pub fn most(&self) -> u64 {
         let area = match self.place {
-            GeneratePlace::Circle { radius, .. } => std::f64::consts::PI * radius * radius,
-            GeneratePlace::Rectangle { min, max } => (max[0] - min[0]) * (max[1] - min[1]),
+            Place::Circle { radius, .. } => std::f64::consts::PI * radius * radius,
+            Place::Rectangle { min, max } => (max[0] - min[0]) * (max[1] - min[1]),
         };
         let fit = (area / (3.0 * self.radius * self.radius)) as u64;
         self.count.unwrap_or(u64::MAX).min(fit.saturating_add(8))
@@ -75,7 +56,7 @@ impl Generate {
 
 fn parse(words: &mut Words<'_>) -> Result<Command, Mistake> {
     words.keyword(&["in"])?;
-    let place = place(words)?;
+    let place = Place::parse(words)?;
     words.keyword(&["radius"])?;
     let mut generate = Generate {
         place,
@@ -91,58 +72,6 @@ fn parse(words: &mut Words<'_>) -> Result<Command, Mistake> {
         }
     }
     Ok(Command::Generate(generate))
-}
-
-/// A circle or a rectangle.
-pub(super) fn place(words: &mut Words<'_>) -> Result<GeneratePlace, Mistake> {
-    if words.keyword(&["circle", "rectangle"])? == "circle" {
-        Ok(GeneratePlace::Circle {
-            centre: words.vector("the centre")?,
-            radius: words.positive("the radius of the circle")?,
-        })
-    } else {
-        rectangle(words)
-    }
-}
-
-fn rectangle(words: &mut Words<'_>) -> Result<GeneratePlace, Mistake> {
-    let a = words.vector("one corner")?;
-    let begin = words.position();
-    let b = words.vector("the opposite corner")?;
-    let min = [a[0].min(b[0]), a[1].min(b[1])];
-    let max = [a[0].max(b[0]), a[1].max(b[1])];
-    if min[0] == max[0] || min[1] == max[1] {
-        return Err(Mistake::new(
-            "the rectangle has no area",
-            "give two opposite corners",
-            begin..words.position(),
-        ));
-    }
-    Ok(GeneratePlace::Rectangle { min, max })
-}
-
-impl GeneratePlace {
-    /// The same place as a region that particles are in or not.
-    pub fn shape(self) -> Shape {
-        match self {
-            Self::Circle { centre, radius } => Shape::Circle { centre, radius },
-            Self::Rectangle { min, max } => Shape::Rectangle { min, max },
-        }
-    }
-}
-
-impl fmt::Display for GeneratePlace {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::Circle { centre, radius } => {
-                let radius = number::format(radius);
-                write!(f, "circle {} {radius}", vector(centre))
-            }
-            Self::Rectangle { min, max } => {
-                write!(f, "rectangle {} {}", vector(min), vector(max))
-            }
-        }
-    }
 }
 
 impl fmt::Display for Generate {

@@ -1,10 +1,10 @@
 //! `print`: shows tables.
 
 use super::delete::ParticleRange;
-use super::generate::{GeneratePlace, place};
 use crate::language::command::Command;
 use crate::language::list::Card;
 use crate::language::mistake::Mistake;
+use crate::language::place::Where;
 use crate::language::words::Words;
 use std::fmt;
 
@@ -14,13 +14,14 @@ pub const CARD: Card = Card {
     aliases: &[],
     usage: "print balls|contacts [I|I-J] | walls|types|boundary|energy|step | \
             stress|partition|mohr|strain|fabric|fourier|rose|coordination|redundancy|changes \
-            [PLACE] | histogram obliquity|stress|force [PLACE] | profile [REGION] [RINGS] | \
+            [PLACE] | histogram obliquity|stress|force [PLACE] | profile [PLACE] [RINGS] | \
             polygon I | averages|all",
     summary: "shows a table",
     detail: "balls and contacts can be limited to particle numbers; types are the materials. From \
-             stress to histogram, measures are those of a place: a region of the preset, the first one \
-             unless another is named, or `in circle X Y R` or `in rectangle X1 Y1 X2 Y2`. polygon sums the forces on a particle head to tail. `averages` makes later \
-             tables end with averages only, `all` shows every row again.",
+             stress to profile, measures are those of a place: a region of the preset, the first one \
+             unless another is named, or `in circle X Y R` or `in rectangle X1 Y1 X2 Y2`. polygon sums \
+             the forces on a particle head to tail. `averages` makes later tables end with averages \
+             only, `all` shows every row again.",
     examples: &[
         "print balls",
         "print contacts 1-9",
@@ -36,36 +37,6 @@ pub const CARD: Card = Card {
     parse,
     changes_world: false,
 };
-
-/// Where something is measured.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Where {
-    /// In the first region, or everywhere.
-    Default,
-    /// In the region of this name.
-    Region(String),
-    /// Here.
-    Place(GeneratePlace),
-}
-
-impl Where {
-    fn parse(words: &mut Words<'_>) -> Result<Self, Mistake> {
-        Ok(match words.region_if_any()? {
-            None => Self::Default,
-            // A region may be called so, too.
-            Some(name) if name == "in" && !words.is_at_end() => Self::Place(place(words)?),
-            Some(name) => Self::Region(name),
-        })
-    }
-
-    /// The name of the region, if that was given.
-    pub fn region(&self) -> Option<&str> {
-        match self {
-            Self::Region(name) => Some(name),
-            _ => None,
-        }
-    }
-}
 
 /// What to show.
 #[derive(Debug, Clone, PartialEq)]
@@ -86,8 +57,8 @@ pub enum Printout {
     Step,
     /// A measure of a place.
     Measure(Measure, Where),
-    /// Porosity by distance from the middle of a region, in so many rings.
-    Profile(Option<String>, Option<u64>),
+    /// Porosity by distance from the middle of a place, in so many rings.
+    Profile(Where, Option<u64>),
     /// Forces on the particle of this number.
     Polygon(u32),
     /// From now on, tables hold averages only.
@@ -195,8 +166,8 @@ fn parse(words: &mut Words<'_>) -> Result<Command, Mistake> {
             Printout::Measure(measure, Where::parse(words)?)
         }
         Rest::Profile => {
-            let (region, rings) = profile(words)?;
-            Printout::Profile(region, rings)
+            let (place, rings) = profile(words)?;
+            Printout::Profile(place, rings)
         }
         Rest::Particle => Printout::Polygon(words.particle()?),
     };
@@ -210,28 +181,27 @@ fn range(words: &mut Words<'_>) -> Result<Option<ParticleRange>, Mistake> {
     words.particles().map(Some)
 }
 
-/// A region and a number of rings; either may be left out.
-pub(super) fn profile(words: &mut Words<'_>) -> Result<(Option<String>, Option<u64>), Mistake> {
-    let region = if words.is_at_number() {
-        None
+/// A place and a number of rings; either may be left out.
+pub(super) fn profile(words: &mut Words<'_>) -> Result<(Where, Option<u64>), Mistake> {
+    let place = if words.is_at_number() {
+        Where::Default
     } else {
-        words.region_if_any()?
+        Where::parse(words)?
     };
     if words.is_at_end() {
-        return Ok((region, None));
+        return Ok((place, None));
     }
     let rings = words.count_up_to("the number of rings", MOST_RINGS)?;
-    Ok((region, Some(rings)))
+    Ok((place, Some(rings)))
 }
 
 /// More rings than this are no table any more.
 const MOST_RINGS: u64 = 10_000;
 
-/// A region and a number of rings as a line holds them, a blank before each.
-pub(super) fn profile_words(region: Option<&String>, rings: Option<u64>) -> String {
-    let region = region.map_or_else(String::new, |name| format!(" {name}"));
+/// A place and a number of rings as a line holds them, a blank before each.
+pub(super) fn profile_words(place: &Where, rings: Option<u64>) -> String {
     let rings = rings.map_or_else(String::new, |rings| format!(" {rings}"));
-    region + &rings
+    place.to_string() + &rings
 }
 
 impl fmt::Display for Printout {
@@ -253,7 +223,7 @@ impl fmt::Display for Printout {
         f.write_str(word)?;
         match self {
             Self::Balls(Some(range)) | Self::Contacts(Some(range)) => write!(f, " {range}"),
-            Self::Profile(region, rings) => f.write_str(&profile_words(region.as_ref(), *rings)),
+            Self::Profile(place, rings) => f.write_str(&profile_words(place, *rings)),
             Self::Polygon(id) => write!(f, " {id}"),
             _ => Ok(()),
         }
@@ -271,8 +241,7 @@ impl Printout {
             (None, word) => write!(f, "histogram {}", word.unwrap_or_default())?,
         }
         match self {
-            Self::Measure(_, Where::Region(region)) => write!(f, " {region}"),
-            Self::Measure(_, Where::Place(place)) => write!(f, " in {place}"),
+            Self::Measure(_, place) => write!(f, "{place}"),
             _ => Ok(()),
         }
     }

@@ -5,7 +5,7 @@ use super::crowd::Disc;
 use super::fill::{Size, Task, fill};
 use super::region::Region;
 use crate::engine::setup::WallSetup;
-use crate::language::command::{Generate, GeneratePlace};
+use crate::language::command::{Generate, Place};
 
 /// What a new particle must keep clear of.
 #[derive(Debug, Clone, Default)]
@@ -19,8 +19,8 @@ pub struct Around {
 /// The centres of the particles that are added at this moment, cycle and next number [m].
 pub fn places(wanted: &Generate, around: &Around, seed: u64, moment: (u64, u32)) -> Vec<[f64; 2]> {
     let region = match wanted.place {
-        GeneratePlace::Circle { centre, radius } => Region::Circle { centre, radius },
-        GeneratePlace::Rectangle { min, max } => Region::Rectangle { min, max },
+        Place::Circle { centre, radius } => Region::Circle { centre, radius },
+        Place::Rectangle { min, max } => Region::Rectangle { min, max },
     };
     let discs = around.discs.iter();
     let there: Vec<Disc> = discs.map(|&(at, radius)| Disc { at, radius }).collect();

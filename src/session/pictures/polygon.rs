@@ -9,23 +9,16 @@ use crate::session::figure::rough;
 
 /// The picture as SVG.
 pub(super) fn svg(polygon: &ForcePolygon, cycle: u64) -> Result<String, Failure> {
-    let gap = polygon.gap();
     let title = format!(
         "forces on particle {} at cycle {cycle}, out of balance {} N",
         polygon.particle,
-        rough((gap[0] * gap[0] + gap[1] * gap[1]).sqrt())
+        rough(polygon.residual())
     );
     plate((700, 620), &title, |area| {
         let corners = polygon.corners();
-        let window = [0, 1].map(|k| {
-            let along = corners.iter().map(|corner| corner[k]);
-            let (low, high) = (
-                along.clone().fold(f64::INFINITY, f64::min),
-                along.fold(f64::NEG_INFINITY, f64::max),
-            );
-            let room = 0.1 * (high - low).max(f64::MIN_POSITIVE);
-            low - room..high + room
-        });
+        let [low, high] = polygon.bounds();
+        let room = 0.1 * (high[0] - low[0]).max(high[1] - low[1]);
+        let window = [0, 1].map(|k| low[k] - room..high[k] + room);
         let names = ("sum of forces, direction 1 [N]", "direction 2 [N]");
         let mut chart = chart(area, "", equal(area, window), names)?;
         let bodies = polygon.sides.iter().map(|side| side.by.clone());
@@ -41,7 +34,7 @@ pub(super) fn svg(polygon: &ForcePolygon, cycle: u64) -> Result<String, Failure>
             let style = (FONT, SMALL).into_font().color(&colour);
             chart.draw_series(std::iter::once(Text::new(by, middle, style)))?;
         }
-        closing(&mut chart, gap)
+        closing(&mut chart, polygon.gap())
     })
 }
 

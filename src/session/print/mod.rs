@@ -19,8 +19,11 @@ pub(super) use contacts::{Carried, DEEP, WIDE, has_areas};
 pub(super) use layout::listed;
 pub(super) use materials::dashpots;
 
+use std::borrow::Cow;
+
+use super::places::regions_of;
 use crate::engine::World;
-use crate::language::command::{Printout, Where};
+use crate::language::command::Printout;
 use crate::measure::reference::Reference;
 use crate::measure::region::Region;
 use crate::measure::sample::Sample;
@@ -34,18 +37,11 @@ pub(super) fn table(
     what: &Printout,
     averages: bool,
 ) -> Vec<String> {
-    let here: [Region; 1];
     let regions = match what {
-        Printout::Measure(_, Where::Place(place)) => {
-            here = [Region {
-                name: place.to_string(),
-                shape: place.shape(),
-            }];
-            &here[..]
-        }
-        _ => regions,
+        Printout::Measure(_, place) | Printout::Profile(place, _) => regions_of(place, regions),
+        _ => Cow::Borrowed(regions),
     };
-    let sample = Sample::over(world, regions, Some(reference));
+    let sample = Sample::over(world, &regions, Some(reference));
     let world = sample.world();
     match what {
         Printout::Balls(range) if averages => averages::balls(world, *range),
@@ -57,10 +53,8 @@ pub(super) fn table(
         Printout::Boundary => boundary::lines(world),
         Printout::Energy => energy::lines(world),
         Printout::Step => step::lines(world),
-        Printout::Measure(measure, place) => measures::lines(&sample, *measure, place.region()),
-        Printout::Profile(region, rings) => {
-            measures::profile(&Place::of(&sample, region.as_deref()), *rings)
-        }
+        Printout::Measure(measure, place) => measures::lines(&sample, *measure, place),
+        Printout::Profile(place, rings) => measures::profile(&Place::of(&sample, place), *rings),
         Printout::Polygon(id) => measures::polygon(world, *id),
         Printout::Averages => [
             averages::balls(world, None),
@@ -75,7 +69,7 @@ pub(super) fn table(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::language::command::Measure;
+    use crate::language::command::{Measure, Where};
     use crate::scene::Scene;
     use crate::session::{Budget, Options, Session};
 
@@ -130,7 +124,7 @@ mod tests {
             Printout::Energy,
             Printout::Step,
             Printout::Averages,
-            Printout::Profile(None, Some(3)),
+            Printout::Profile(Where::Default, Some(3)),
             Printout::Polygon(2),
         ];
         tables.extend(Measure::all().map(|measure| Printout::Measure(measure, Where::Default)));

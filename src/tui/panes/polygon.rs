@@ -26,16 +26,12 @@ fn polygon(app: &App) -> Option<&ForcePolygon> {
     (app.selected == Some(polygon.particle)).then_some(polygon)
 }
 
-fn size([x, y]: [f64; 2]) -> f64 {
-    (x * x + y * y).sqrt()
-}
-
 fn title(app: &App, _: PaneId) -> String {
     match polygon(app) {
         Some(polygon) => format!(
             "forces on disc {} [N]  out of balance {}",
             polygon.particle,
-            short(size(polygon.gap()))
+            short(polygon.residual())
         ),
         None => "force polygon [N]".into(),
     }
@@ -72,16 +68,11 @@ fn sides(app: &App, polygon: &ForcePolygon, area: Rect, buffer: &mut Buffer) {
     let mut dots = Dots::new(app.look.points, area.width, area.height);
     let aspect = dots.aspect();
     let [across, down] = dots.size().map(|n| n.max(1) as f64);
-    let ends = [0, 1].map(|k| {
-        let along = corners.iter().map(|corner| corner[k]);
-        along.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| {
-            [low.min(x), high.max(x)]
-        })
-    });
-    let [wide, high] = ends.map(|[low, high]| (high - low).max(f64::MIN_POSITIVE));
+    let [low, high] = polygon.bounds();
+    let [wide, tall] = [0, 1].map(|k| (high[k] - low[k]).max(f64::MIN_POSITIVE));
     // A dot is left free on every side.
-    let unit = ((across - 3.0).max(1.0) / wide).min((down - 3.0).max(1.0) * aspect / high);
-    let middle = ends.map(|[low, high]| 0.5 * (low + high));
+    let unit = ((across - 3.0).max(1.0) / wide).min((down - 3.0).max(1.0) * aspect / tall);
+    let middle = [0, 1].map(|k| 0.5 * (low[k] + high[k]));
     let at = |[x, y]: [f64; 2]| {
         [
             0.5 * across + (x - middle[0]) * unit,
@@ -117,10 +108,10 @@ fn list(app: &App, polygon: &ForcePolygon, area: Rect, buffer: &mut Buffer) {
     lines.line(&row("by", "at deg", "N"), Role::Label);
     for side in &polygon.sides {
         let at = format!("{:.1}", side.direction);
-        lines.line(&row(&side.by, &at, &short(size(side.force))), Role::Value);
+        lines.line(&row(&side.by, &at, &short(side.size())), Role::Value);
     }
     if polygon.body != [0.0; 2] {
-        let force = short(size(polygon.body));
+        let force = short(polygon.body_size());
         lines.line(&row("weight, applied", "", &force), Role::Value);
     }
 }

@@ -17,29 +17,31 @@ mod stress;
 pub(super) use polygon::lines as polygon;
 pub(super) use profile::lines as profile;
 
-use crate::language::command::Measure;
+use crate::language::command::{Measure, Where};
 use crate::measure::regional::Regional;
 use crate::measure::sample::Sample;
 use crate::session::figure::figure;
+use crate::session::places::region_at;
 
 /// A region and what to call it.
 pub(super) struct Place<'a, 's> {
     /// Its measures.
     pub(super) region: &'a Regional<'s>,
-    /// `region core` or `everything`.
+    /// `region core`, `circle 0 0 0.1` or `everything`.
     pub(super) name: String,
 }
 
 impl<'a, 's> Place<'a, 's> {
-    /// The region of this name, else the default one.
-    pub(super) fn of(sample: &'a Sample<'s>, name: Option<&str>) -> Self {
+    /// In a sample that was taken for it.
+    pub(super) fn of(sample: &'a Sample<'s>, place: &Where) -> Self {
         let default = sample.region_names().next();
-        let region = name.and_then(|name| sample.region(name));
         Self {
-            region: region.unwrap_or_else(|| sample.regional()),
-            name: match name.or(default) {
-                Some(name) => format!("region {name}"),
-                None => "everything".to_owned(),
+            region: region_at(sample, place),
+            name: match (place, default) {
+                (Where::Region(name), _) => format!("region {name}"),
+                (Where::Here(place), _) => place.to_string(),
+                (Where::Default, Some(name)) => format!("region {name}"),
+                (Where::Default, None) => "everything".to_owned(),
             },
         }
     }
@@ -52,8 +54,8 @@ impl<'a, 's> Place<'a, 's> {
 }
 
 /// The table of a measure.
-pub(super) fn lines(sample: &Sample<'_>, measure: Measure, region: Option<&str>) -> Vec<String> {
-    let place = Place::of(sample, region);
+pub(super) fn lines(sample: &Sample<'_>, measure: Measure, place: &Where) -> Vec<String> {
+    let place = Place::of(sample, place);
     match measure {
         Measure::Stress => stress::lines(&place),
         Measure::Partition => partition::lines(&place),

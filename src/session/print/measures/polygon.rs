@@ -31,16 +31,14 @@ pub(in crate::session::print) fn lines(world: &World, id: u32) -> Vec<String> {
         cells.extend([force[0], force[1], sum[0], sum[1]].map(figure));
         table.row(cells);
     }
-    let gap = polygon.gap();
-    let size = (gap[0] * gap[0] + gap[1] * gap[1]).sqrt();
     let mut lines = vec![format!(
         "forces on ball {id}, counter-clockwise from direction 1"
     )];
     lines.extend(table.lines());
     lines.push(format!(
         "out of balance {} N, size {} N",
-        vector(gap),
-        figure(size)
+        vector(polygon.gap()),
+        figure(polygon.residual())
     ));
     lines
 }
