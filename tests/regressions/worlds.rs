@@ -55,6 +55,19 @@ fn kinetic_energy_is_that_of_the_boundary() {
     }
 }
 
+/// Wherever the disc is, and whether energies are booked or not.
+#[test]
+fn the_potential_is_zero_at_the_start() {
+    let high = DISC.replace("at = [0, 0]", "at = [0, 5]");
+    for columns in ["potential", "energy_error"] {
+        let tables = format!("{high}[history]\ncolumns = [\"{columns}\"]\n");
+        let mut fall = session_with(&tables, &["model.gravity=[0.0, -10.0]"]);
+        assert_eq!(value(&mut fall, "potential"), 0.0, "{columns}");
+        run(&mut fall, "cycle 10");
+        assert!(value(&mut fall, "potential") < 0.0, "{columns}");
+    }
+}
+
 /// Two discs that are listed twice, and touch across the edge of the cell only.
 #[test]
 fn a_contact_is_the_image_that_touches() {

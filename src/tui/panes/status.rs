@@ -91,7 +91,9 @@ fn parts(app: &App) -> Vec<(String, Role)> {
         }
         parts.push((text, plain));
     }
-    parts.push((line(&app.link), plain));
+    // A line that nothing goes over is no news.
+    let sends = app.link.budget.is_some() || app.link.measured.1 > 0.0;
+    parts.extend(sends.then(|| (line(&app.link), plain)));
     parts.push((frame.preset.clone(), plain));
     parts
 }
